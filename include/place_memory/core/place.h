@@ -1,0 +1,30 @@
+#ifndef PLACE_MEMORY_CORE_PLACE_H
+#define PLACE_MEMORY_CORE_PLACE_H
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "place_memory/core/evidence_grid.h"
+#include "place_memory/core/pose2d.h"
+
+namespace place_memory::core {
+
+/// Never given twice by one store, even after its place was removed.
+using PlaceId = std::int64_t;
+constexpr PlaceId kNoPlace = 0;
+
+/// A node of the topological/metric map (paper 3).
+struct Place {
+  PlaceId id = kNoPlace;
+  std::string label;  ///< not empty, unique in the map, UTF-8
+  /// Pose of the place's grid in the map frame: x and y are the place's Cartesian location, yaw is
+  /// the direction of compass east as it was there.
+  Pose2d map_from_place;
+  EvidenceGrid grid;
+  std::chrono::nanoseconds learned{0};  ///< when its scan ended
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_PLACE_H

@@ -1,0 +1,52 @@
+#ifndef PLACE_MEMORY_CORE_QUERY_PLANES_H
+#define PLACE_MEMORY_CORE_QUERY_PLANES_H
+
+#include <vector>
+
+#include "place_memory/core/cell_planes.h"
+#include "place_memory/core/pair_metric.h"
+
+namespace place_memory::core {
+
+/// A grid turned about its centre. Cells that the turn brings in from outside are not inside.
+struct TurnedPlanes {
+  CellPlanes cells;
+  BitPlane inside{};
+
+  /// Each cell takes the class of the cell whose centre's neighbourhood its own centre falls in when
+  /// turned back by `angle` [rad] (paper 4).
+  TurnedPlanes(const CellPlanes& grid, double angle);
+};
+
+/// A translation by whole cells.
+struct CellShift {
+  int columns = 0;  ///< along x
+  int rows = 0;     ///< along y
+};
+
+/// Pairs of corresponding cells of a turned and then shifted recognition grid and a learned grid, by
+/// class. Cells that fall outside the learned grid correspond to none. Shifts in [-63, 63].
+PairCounts countPairs(const TurnedPlanes& recognition, CellShift shift, const CellPlanes& learned);
+
+/// The recognition grid at every heading of a search, made once and used for every place.
+class QueryPlanes {
+ public:
+  /// Headings are multiples of `heading_step` [rad], from -`turns` to +`turns` of them.
+  QueryPlanes(const EvidenceGrid& grid, double heading_step, int turns);
+
+  int turns() const { return turns_; }
+  double headingStep() const { return heading_step_; }
+  /// Turn in [-turns(), turns()].
+  const TurnedPlanes& at(int turn) const {
+    return planes_[static_cast<std::size_t>(turn + turns_)];
+  }
+
+ private:
+  double heading_step_;
+  int turns_;
+  std::vector<TurnedPlanes> planes_;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_QUERY_PLANES_H

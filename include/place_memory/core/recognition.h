@@ -1,0 +1,40 @@
+#ifndef PLACE_MEMORY_CORE_RECOGNITION_H
+#define PLACE_MEMORY_CORE_RECOGNITION_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "place_memory/core/place.h"
+#include "place_memory/core/pose2d.h"
+
+namespace place_memory::core {
+
+enum class Verdict {
+  kUnknown,     ///< no place fits, or there is none
+  kAmbiguous,   ///< a place fits, but the runner-up is too close
+  kRecognized,  ///< the best match is the place
+};
+
+/// How well one place fits a scan.
+struct PlaceMatch {
+  PlaceId id = kNoPlace;
+  double score = 0.0;        ///< at the alignment; higher is better
+  Pose2d place_from_scan;    ///< the alignment: pose of the scan frame in the place's grid
+  double probability = 0.0;  ///< that this is the place, in [0, 1]; over all matches <= 1
+};
+
+/// The answer to one scan.
+struct Recognition {
+  Verdict verdict = Verdict::kUnknown;
+  std::vector<PlaceMatch> matches;  ///< every place, best first; equal scores: lower id first
+  /// Robot's base at the end of the scan, in the map frame, by the best match (paper 9); identity
+  /// where there is no match.
+  Pose2d map_from_robot;
+  /// Of map_from_robot: row-major 3 x 3 over x [m], y [m], yaw [rad].
+  std::array<double, 9> covariance{};
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_RECOGNITION_H

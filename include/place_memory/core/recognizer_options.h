@@ -1,0 +1,24 @@
+#ifndef PLACE_MEMORY_CORE_RECOGNIZER_OPTIONS_H
+#define PLACE_MEMORY_CORE_RECOGNIZER_OPTIONS_H
+
+#include "place_memory/core/pair_metric.h"
+
+namespace place_memory::core {
+
+/// How the alignment of each place is sought.
+enum class SearchMethod {
+  kNearestNeighbour,  ///< no translation, no rotation: the paper's baseline (paper 5)
+  kHillClimbing,      ///< multiresolution, one climb from the compass heading (paper 4)
+  kRestarts,          ///< hill climbing from several headings and positions (paper 4, last lines)
+  kExhaustive,        ///< every transform in the window: the oracle
+};
+
+struct RecognizerOptions {
+  SearchMethod method = SearchMethod::kRestarts;
+  PairWeights weights = kPaperWeights;
+  double position_window = 1.2;  ///< largest shift sought along x and along y [m], > 0
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_RECOGNIZER_OPTIONS_H

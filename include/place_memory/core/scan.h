@@ -1,0 +1,29 @@
+#ifndef PLACE_MEMORY_CORE_SCAN_H
+#define PLACE_MEMORY_CORE_SCAN_H
+
+#include <chrono>
+#include <vector>
+
+#include "place_memory/core/evidence_grid.h"
+#include "place_memory/core/pose2d.h"
+#include "place_memory/core/sonar_reading.h"
+
+namespace place_memory::core {
+
+/// What the robot senses from one spot.
+///
+/// The scan frame has its origin where the robot's base stood when the scan began and its x axis
+/// along compass east (paper 3.1.4: the grid lies along compass north).
+struct Scan {
+  std::vector<SonarReading> readings;
+  EvidenceGrid grid;  ///< of those readings, in the scan frame
+  /// Pose of the scan frame in the odometry frame; identity where there is no odometry.
+  Pose2d map_from_scan;
+  Pose2d robot_in_scan;  ///< where the robot's base stood when the scan ended
+  std::chrono::nanoseconds begin{0};
+  std::chrono::nanoseconds end{0};
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_SCAN_H
