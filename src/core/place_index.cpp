@@ -7,8 +7,9 @@ namespace {
 
 template <typename Entries>
 auto firstNotBelow(Entries& entries, PlaceId id) {
-  return std::lower_bound(entries.begin(), entries.end(), id,
-                          [](const PlaceIndex::Entry& entry, PlaceId key) { return entry.id < key; });
+  return std::lower_bound(
+      entries.begin(), entries.end(), id,
+      [](const PlaceIndex::Entry& entry, PlaceId key) { return entry.id < key; });
 }
 
 }  // namespace

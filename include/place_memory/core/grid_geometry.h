@@ -5,7 +5,8 @@
 
 namespace place_memory::core {
 
-/// Cells along each side of every grid: a row of a bit plane is then one machine word (paper 3.1.4).
+/// Cells along each side of every grid: a row of a bit plane is then one machine word
+/// (paper 3.1.4).
 constexpr int kGridSize = 64;
 constexpr int kGridCells = kGridSize * kGridSize;
 

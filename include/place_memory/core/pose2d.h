@@ -13,8 +13,8 @@ inline double wrapAngle(double angle) {
   return wrapped < kPi ? wrapped : wrapped - 2.0 * kPi;
 }
 
-/// A planar rigid transform, or the pose of one frame in another (REP 103: x forward or east, y left
-/// or north, yaw counter-clockwise).
+/// A planar rigid transform, or the pose of one frame in another (REP 103: x forward or east, y
+/// left or north, yaw counter-clockwise).
 struct Pose2d {
   double x = 0.0;    ///< [m]
   double y = 0.0;    ///< [m]

@@ -13,8 +13,8 @@ struct TurnedPlanes {
   CellPlanes cells;
   BitPlane inside{};
 
-  /// Each cell takes the class of the cell whose centre's neighbourhood its own centre falls in when
-  /// turned back by `angle` [rad] (paper 4).
+  /// Each cell takes the class of the cell whose centre's neighbourhood its own centre falls in
+  /// when turned back by `angle` [rad] (paper 4).
   TurnedPlanes(const CellPlanes& grid, double angle);
 };
 
@@ -24,8 +24,8 @@ struct CellShift {
   int rows = 0;     ///< along y
 };
 
-/// Pairs of corresponding cells of a turned and then shifted recognition grid and a learned grid, by
-/// class. Cells that fall outside the learned grid correspond to none. Shifts in [-63, 63].
+/// Pairs of corresponding cells of a turned and then shifted recognition grid and a learned grid,
+/// by class. Cells that fall outside the learned grid correspond to none. Shifts in [-63, 63].
 PairCounts countPairs(const TurnedPlanes& recognition, CellShift shift, const CellPlanes& learned);
 
 /// The recognition grid at every heading of a search, made once and used for every place.

@@ -16,9 +16,9 @@ class Recognizer {
   explicit Recognizer(const RecognizerOptions& options);
 
   /// Ranks every place of the index. `heading_window` is how far the compass may be off, in [0, pi]
-  /// [rad]; pi stands for any heading. `cancelled`, where given, is polled between blocks of places;
-  /// once it returns true the call throws std::runtime_error. Throws std::invalid_argument where the
-  /// window is out of range. Thread-safe.
+  /// [rad]; pi stands for any heading. `cancelled`, where given, is polled between blocks of
+  /// places; once it returns true the call throws std::runtime_error. Throws std::invalid_argument
+  /// where the window is out of range. Thread-safe.
   Recognition recognize(const Scan& scan, const PlaceIndex& places, double heading_window,
                         const std::function<bool()>& cancelled = nullptr) const;
 

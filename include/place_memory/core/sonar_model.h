@@ -10,18 +10,19 @@
 namespace place_memory::core {
 
 struct SonarModelOptions {
-  double prior = 0.5;       ///< probability that a cell is occupied, in (0, 1) (paper 3.1.1)
-  double occupied = 0.75;   ///< of a cell on the cone's axis where the echo came from, in (prior, 1)
-  double empty = 0.35;      ///< of a cell on the cone's axis that the sound passed, in (0, prior)
-  double echo_depth = 0.1;  ///< how far before and behind the echo cells are occupied [m], > 0
-  double range_doubt = 0.3; ///< share of the evidence lost at max_range, in [0, 1]
+  double prior = 0.5;      ///< probability that a cell is occupied, in (0, 1) (paper 3.1.1)
+  double occupied = 0.75;  ///< of a cell on the cone's axis where the echo came from, in (prior, 1)
+  double empty = 0.35;     ///< of a cell on the cone's axis that the sound passed, in (0, prior)
+  double echo_depth = 0.1;   ///< how far before and behind the echo cells are occupied [m], > 0
+  double range_doubt = 0.3;  ///< share of the evidence lost at max_range, in [0, 1]
 };
 
 /// What a reading says of the cells in its cone (paper 3.1.1).
 ///
-/// Evidence is strongest on the axis and fades towards the cone's edge as 1 - (angle / half angle)^2.
-/// Cells before the echo become emptier, those within echo_depth of it more occupied, those behind
-/// it are left alone. A cone that is narrower than a cell still touches the cells it passes.
+/// Evidence is strongest on the axis and fades towards the cone's edge as 1 - (angle / half
+/// angle)^2. Cells before the echo become emptier, those within echo_depth of it more occupied,
+/// those behind it are left alone. A cone that is narrower than a cell still touches the cells it
+/// passes.
 class SonarModel {
  public:
   /// Throws std::invalid_argument naming the option that is out of range.
@@ -39,8 +40,8 @@ class SonarModel {
   static constexpr int kBins = 64;
 
   SonarModelOptions options_;
-  double occupied_evidence_;  ///< [1 / EvidenceGrid::kStepsPerNat nats], > 0
-  double empty_evidence_;     ///< likewise, < 0
+  double occupied_evidence_;                     ///< [1 / EvidenceGrid::kStepsPerNat nats], > 0
+  double empty_evidence_;                        ///< likewise, < 0
   std::array<double, kBins + 1> angle_profile_;  ///< over |offset from the axis| / half width
   std::array<double, kBins + 1> echo_profile_;   ///< over |distance from the echo| / echo depth
 };
