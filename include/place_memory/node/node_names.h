@@ -1,0 +1,36 @@
+#ifndef PLACE_MEMORY_NODE_NODE_NAMES_H
+#define PLACE_MEMORY_NODE_NODE_NAMES_H
+
+/// Every name the node has on the wire. Those that are parameters (frames, sonar and heading topics)
+/// are in config/parameters.h.
+namespace place_memory::node {
+
+// Relative.
+constexpr char kCommandTopic[] = "cmd_vel";
+
+// Private: below the node's own name.
+constexpr char kScanAction[] = "scan";
+
+constexpr char kScanGridTopic[] = "scan_grid";
+constexpr char kMatchedGridTopic[] = "matched_grid";
+constexpr char kPlaceGraphTopic[] = "place_graph";
+constexpr char kPlaceMarkersTopic[] = "place_markers";
+constexpr char kRecognitionTopic[] = "recognition";
+constexpr char kCurrentPlaceTopic[] = "current_place";
+constexpr char kPoseTopic[] = "pose";
+
+constexpr char kLearnPlaceService[] = "learn_place";
+constexpr char kRecognizePlaceService[] = "recognize_place";
+constexpr char kListPlacesService[] = "list_places";
+constexpr char kRenamePlaceService[] = "rename_place";
+constexpr char kRemovePlaceService[] = "remove_place";
+constexpr char kAddLinkService[] = "add_link";
+constexpr char kRemoveLinkService[] = "remove_link";
+constexpr char kClearService[] = "clear";
+constexpr char kSaveService[] = "save";
+constexpr char kLoadService[] = "load";
+constexpr char kExportService[] = "export";
+
+}  // namespace place_memory::node
+
+#endif  // PLACE_MEMORY_NODE_NODE_NAMES_H
