@@ -37,10 +37,8 @@ SonarModel::SonarModel(const SonarModelOptions& options) : options_(options) {
   require(options.occupied > options.prior && options.occupied < 1.0,
           "occupied must lie in (prior, 1)");
   require(options.empty > 0.0 && options.empty < options.prior, "empty must lie in (0, prior)");
-  require(options.echo_depth > 0.0 && std::isfinite(options.echo_depth),
-          "echo_depth must be above 0 m");
-  require(options.range_doubt >= 0.0 && options.range_doubt <= 1.0,
-          "range_doubt must lie in [0, 1]");
+  require(options.echo_depth >= 0.5 && options.echo_depth <= 8.0,
+          "echo_depth must lie in [0.5, 8] cells");
   occupied_evidence_ = evidenceOf(options.occupied, options.prior);
   empty_evidence_ = evidenceOf(options.empty, options.prior);
   for (std::size_t i = 0; i <= kBins; ++i) {
@@ -54,11 +52,9 @@ void SonarModel::add(const SonarReading& reading, EvidenceGrid& grid) const {
   const GridGeometry& geometry = grid.geometry();
   const bool echo = std::isfinite(reading.range);
   const double range = echo ? reading.range : reading.spec.max_range;
-  // Half a cell at the least, so that an echo never falls between the cells' centres.
-  const double depth = std::max(options_.echo_depth, 0.5 * geometry.cell_size);
+  const double depth = options_.echo_depth * geometry.cell_size;
   const double reach = echo ? range + depth : range;
   const double sine_half = std::sin(0.5 * reading.spec.field_of_view);
-  const double trust = 1.0 - options_.range_doubt * std::min(range / reading.spec.max_range, 1.0);
   const double cosine = std::cos(reading.sensor_pose.yaw);
   const double sine = std::sin(reading.sensor_pose.yaw);
   const Span rows = spanAround(geometry, reading.sensor_pose.y, reach);
@@ -83,7 +79,7 @@ void SonarModel::add(const SonarReading& reading, EvidenceGrid& grid) const {
       } else {
         evidence = empty_evidence_;
       }
-      grid.add(row, column, static_cast<int>(std::lround(evidence * on_axis * trust)));
+      grid.add(row, column, static_cast<int>(std::lround(evidence * on_axis)));
     }
   }
 }

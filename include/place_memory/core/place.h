@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string>
 
-#include "place_memory/core/evidence_grid.h"
 #include "place_memory/core/pose2d.h"
 
 namespace place_memory::core {
@@ -14,14 +13,13 @@ namespace place_memory::core {
 using PlaceId = std::int64_t;
 constexpr PlaceId kNoPlace = 0;
 
-/// A node of the topological/metric map (paper 3).
+/// A node of the topological/metric map (paper 3). Its evidence grid stays in the store.
 struct Place {
   PlaceId id = kNoPlace;
   std::string label;  ///< not empty, unique in the map, UTF-8
   /// Pose of the place's grid in the map frame: x and y are the place's Cartesian location, yaw is
   /// the direction of compass east as it was there.
   Pose2d map_from_place;
-  EvidenceGrid grid;
   std::chrono::nanoseconds learned{0};  ///< when its scan ended
 };
 

@@ -13,8 +13,8 @@ struct SonarModelOptions {
   double prior = 0.5;      ///< probability that a cell is occupied, in (0, 1) (paper 3.1.1)
   double occupied = 0.75;  ///< of a cell on the cone's axis where the echo came from, in (prior, 1)
   double empty = 0.35;     ///< of a cell on the cone's axis that the sound passed, in (0, prior)
-  double echo_depth = 0.1;   ///< how far before and behind the echo cells are occupied [m], > 0
-  double range_doubt = 0.3;  ///< share of the evidence lost at max_range, in [0, 1]
+  /// How far before and behind the echo cells are occupied [cells], in [0.5, 8].
+  double echo_depth = 1.4;
 };
 
 /// What a reading says of the cells in its cone (paper 3.1.1).
