@@ -12,8 +12,8 @@
 
 namespace place_memory::sim {
 
-/// A uniform grid of square cells, each with the ids of the items that touch it, so that a ray or a disc
-/// looks only at what is near. Ids are stored cell after cell in one array.
+/// A uniform grid of square cells, each with the ids of the items that touch it, so that a ray or a
+/// disc looks only at what is near. Ids are stored cell after cell in one array.
 class BucketGrid {
  public:
   /// An item as the grid sees it: a segment thickened by `radius` (a circle has a == b).
@@ -28,8 +28,8 @@ class BucketGrid {
   /// Ids are indices into `items`. All items lie within the bounds.
   BucketGrid(Vec2 lower, Vec2 upper, double cell_size, const std::vector<Item>& items);
 
-  /// Calls `visit(id)` for the items in the cells that the ray crosses, near cells first, until a cell
-  /// begins beyond `reach()` [m]. An item in several cells is visited several times.
+  /// Calls `visit(id)` for the items in the cells that the ray crosses, near cells first, until a
+  /// cell begins beyond `reach()` [m]. An item in several cells is visited several times.
   template <typename Reach, typename Visit>
   void walkRay(Vec2 origin, Vec2 direction, Reach reach, Visit visit) const;
 

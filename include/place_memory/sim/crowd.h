@@ -17,8 +17,8 @@ class Crowd {
   /// `count` people spread over the links of the world. None where the world has no links.
   static Crowd spread(const World& world, int count, Rng& rng);
 
-  /// `count` people who set out some two to seven metres from `point` and pass it, as happens during a
-  /// scan (paper, experiments 3 to 5).
+  /// `count` people who set out some two to seven metres from `point` and pass it, as happens
+  /// during a scan (paper, experiments 3 to 5).
   static Crowd passing(const World& world, Vec2 point, int count, Rng& rng);
 
   /// Moves everyone by `dt` seconds. Nobody comes nearer than an arm to `robot`.

@@ -33,8 +33,8 @@ class Person {
 
   std::size_t from_;
   std::size_t to_;
-  double walked_ = 0.0;   // along the link [m]
-  double speed_ = 1.1;    // [m/s]
+  double walked_ = 0.0;    // along the link [m]
+  double speed_ = 1.1;     // [m/s]
   double sideways_ = 0.0;  // left of the link's line [m]
 };
 

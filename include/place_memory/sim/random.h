@@ -10,8 +10,8 @@
 
 namespace place_memory::sim {
 
-/// The generator whose raw output the C++ standard fixes. The std distributions are left aside: their
-/// algorithms are the library's own, so that a seed would mean another world elsewhere.
+/// The generator whose raw output the C++ standard fixes. The std distributions are left aside:
+/// their algorithms are the library's own, so that a seed would mean another world elsewhere.
 using Rng = std::mt19937_64;
 
 /// Uniform in [0, 1).

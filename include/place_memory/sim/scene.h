@@ -60,8 +60,8 @@ struct RaySpread {
   double slope = 0.0;
 };
 
-/// The surfaces of a world, flattened and indexed for ray casting. Constant once built, so any number of
-/// threads may share it; build a new one after a change of the world.
+/// The surfaces of a world, flattened and indexed for ray casting. Constant once built, so any
+/// number of threads may share it; build a new one after a change of the world.
 class Scene {
  public:
   explicit Scene(const World& world);
@@ -71,7 +71,8 @@ class Scene {
   RayHit cast(const Ray& ray, double max_distance, const RaySpread& spread,
               std::vector<NearCircle>* near) const;
 
-  /// Whether a disc of `radius` [m] at `center` touches nothing. Outside the bounds nothing is there.
+  /// Whether a disc of `radius` [m] at `center` touches nothing. Outside the bounds nothing is
+  /// there.
   bool isFree(Vec2 center, double radius) const;
 
   /// Whether such a disc can be moved from `from` to `to` in a straight line.
@@ -96,8 +97,8 @@ class Scene {
   BucketGrid grid_;
 };
 
-/// Shrinks `hit` to `circle` where the ray meets it sooner, and notes it in `near` (if given) where it
-/// lies within the spread. People, who are no part of a scene, are tested with it too.
+/// Shrinks `hit` to `circle` where the ray meets it sooner, and notes it in `near` (if given) where
+/// it lies within the spread. People, who are no part of a scene, are tested with it too.
 void testCircle(const Ray& ray, const Circle& circle, const RaySpread& spread, RayHit& hit,
                 std::vector<NearCircle>* near);
 

@@ -41,8 +41,9 @@ struct Table {
 struct Door {
   std::string name;
   Vec2 hinge;
-  Vec2 latch;          ///< where the free edge rests when closed
-  double swing = 1.5;  ///< turn of the panel about the hinge from closed to open [rad], in [-pi, pi]
+  Vec2 latch;  ///< where the free edge rests when closed
+  double swing =
+      1.5;  ///< turn of the panel about the hinge from closed to open [rad], in [-pi, pi]
   bool open = false;
   Material material;
 };
