@@ -1,0 +1,105 @@
+#ifndef PLACE_MEMORY_CORE_PLACE_MEMORY_H
+#define PLACE_MEMORY_CORE_PLACE_MEMORY_H
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "place_memory/core/place_graph.h"
+#include "place_memory/core/place_index.h"
+#include "place_memory/core/place_store.h"
+#include "place_memory/core/recognition.h"
+#include "place_memory/core/recognizer.h"
+#include "place_memory/core/scan.h"
+
+namespace place_memory::core {
+
+/// Why the memory refused what it was asked for; what() says it in a sentence.
+class PlaceMemoryError : public std::runtime_error {
+ public:
+  enum class Reason {
+    kLabelTaken,
+    kInvalidLabel,
+    kUnknownPlace,
+    kInvalidScan,  ///< cells of another size than the store's, or a pose that is not finite
+    kStoreFailed,  ///< the store could not be read or written; the memory is as it was
+  };
+
+  PlaceMemoryError(Reason reason, const std::string& what)
+      : std::runtime_error(what), reason_(reason) {}
+
+  Reason reason() const { return reason_; }
+
+ private:
+  Reason reason_;
+};
+
+struct PlaceMemoryOptions {
+  std::string store_path;               ///< file of the places; "": in memory only
+  double cell_size = kDefaultCellSize;  ///< of all grids [m], > 0
+  RecognizerOptions recognizer;
+};
+
+/// A recognition with the labels of its matches, in their order.
+struct LabelledRecognition {
+  Recognition recognition;
+  std::vector<std::string> labels;
+};
+
+/// Learns places, recognizes them, and keeps them in the topological/metric map (paper 3, 4).
+///
+/// Thread-safe. Matching works on a snapshot, so that no other call waits for it.
+class PlaceMemory {
+ public:
+  /// Opens the store. Throws StoreError, and std::invalid_argument naming an option out of range.
+  explicit PlaceMemory(const PlaceMemoryOptions& options);
+
+  /// Makes the scan a place, linked to the previous one (paper 7). `label` "": one is made up.
+  /// Throws PlaceMemoryError.
+  Place learn(const Scan& scan, const std::string& label);
+
+  /// Matches the scan against every place. Arguments and errors are those of
+  /// Recognizer::recognize(). A place that is removed during the match is not among the matches.
+  LabelledRecognition recognize(const Scan& scan, double heading_window,
+                                const std::function<bool()>& cancelled = nullptr);
+
+  /// Throws PlaceMemoryError.
+  void rename(const std::string& label, const std::string& new_label);
+  /// Removes the place and its links. Throws PlaceMemoryError.
+  void remove(const std::string& label);
+  /// Removes every place and returns how many there were. Throws PlaceMemoryError.
+  std::size_t clear();
+
+  /// The map as it is now.
+  PlaceGraph graph() const;
+  /// The grid as it was learned. Throws PlaceMemoryError.
+  EvidenceGrid grid(PlaceId id) const;
+
+  /// The place that was last learned or last recognized, which the next one is linked to.
+  std::optional<Place> previousPlace() const;
+  /// The next place that is learned is linked to none: the robot was carried, or time ran
+  /// backwards.
+  void forgetPreviousPlace();
+
+ private:
+  const Place& findLocked(const std::string& label) const;
+  std::string newLabelLocked(const std::string& wanted) const;
+  std::optional<std::vector<std::string>> labelsLocked(
+      const std::vector<PlaceMatch>& matches) const;
+
+  const double cell_size_;
+  const Recognizer recognizer_;
+
+  mutable std::mutex mutex_;  ///< guards everything below
+  PlaceStore store_;
+  PlaceGraph graph_;
+  PlaceIndex index_;
+  PlaceId previous_ = kNoPlace;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_PLACE_MEMORY_H

@@ -1,0 +1,68 @@
+#ifndef PLACE_MEMORY_CORE_PLACE_STORE_H
+#define PLACE_MEMORY_CORE_PLACE_STORE_H
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "place_memory/core/evidence_grid.h"
+#include "place_memory/core/place.h"
+#include "place_memory/core/place_graph.h"
+
+namespace place_memory::core {
+
+class SqliteDatabase;
+
+/// What is wrong with a store, in a sentence that names its file.
+class StoreError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Places, grids and links in an SQLite file: every change is one transaction, ids are never used
+/// again, and grids are read on demand.
+///
+/// The journal is SQLite's default, a rollback journal, and not a write-ahead log: the store is
+/// then one file that can be copied and lies on any file system, and a change is rare and small
+/// beside the scan it comes from. The file is locked while it is open, because a second writer
+/// would change the map behind the back of the one who has it in memory. Not thread-safe.
+class PlaceStore {
+ public:
+  /// Opens the file, or creates it where there is none (its folder has to be there); "" stands for
+  /// a store in memory that ends with this object. All grids have cells of `cell_size` [m].
+  ///
+  /// Throws StoreError where the file is not a place store, was cut short or damaged, was written
+  /// by a newer version, holds grids with cells of another size, or cannot be read, written or
+  /// locked; the file is then as it was.
+  PlaceStore(const std::string& path, double cell_size);
+  ~PlaceStore();
+  PlaceStore(PlaceStore&&) noexcept;
+  PlaceStore& operator=(PlaceStore&&) noexcept;
+
+  /// Every place and link. Throws StoreError.
+  PlaceGraph graph() const;
+  /// Throws StoreError where the place is unknown or its grid cannot be read.
+  EvidenceGrid grid(PlaceId id) const;
+  /// Calls with every grid, by rising id of its place. Throws StoreError.
+  void forEachGrid(const std::function<void(PlaceId, const EvidenceGrid&)>& call) const;
+
+  // Each of these throws StoreError where the change cannot be made; the store is then as it was.
+
+  /// Adds a place with a new id, whatever `place.id` is, and links it to `came_from` unless that is
+  /// kNoPlace. Returns the id.
+  PlaceId add(const Place& place, const EvidenceGrid& grid, PlaceId came_from);
+  void rename(PlaceId id, const std::string& label);
+  /// With its grid and its links.
+  void remove(PlaceId id);
+  void clear();
+
+ private:
+  std::unique_ptr<SqliteDatabase> database_;
+  double cell_size_;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_PLACE_STORE_H

@@ -1,0 +1,158 @@
+#include "store_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+namespace place_memory::core {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kApplicationId = 0x504c4d59;  // "PLMY"
+constexpr std::uint32_t kSchemaVersion = 1;
+
+// AUTOINCREMENT is what keeps SQLite from giving the id of a removed place again.
+constexpr char kSchema[] = R"(
+  CREATE TABLE place(
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    label TEXT NOT NULL UNIQUE,
+    x REAL NOT NULL,              -- in the map frame [m]
+    y REAL NOT NULL,
+    yaw REAL NOT NULL,            -- of compass east in the map frame [rad]
+    learned_ns INTEGER NOT NULL   -- since the epoch
+  );
+  CREATE TABLE grid(
+    place_id INTEGER PRIMARY KEY REFERENCES place(id) ON DELETE CASCADE,
+    cell_size REAL NOT NULL,      -- [m]
+    checksum INTEGER NOT NULL,    -- CRC-32 of cells
+    cells BLOB NOT NULL           -- one signed byte a cell, row by row from the least y
+  );
+  CREATE TABLE link(
+    first_id INTEGER NOT NULL REFERENCES place(id) ON DELETE CASCADE,
+    second_id INTEGER NOT NULL REFERENCES place(id) ON DELETE CASCADE,
+    PRIMARY KEY(first_id, second_id),
+    CHECK(first_id < second_id)
+  ) WITHOUT ROWID;
+  CREATE INDEX link_by_second ON link(second_id);
+)";
+
+// The start of every SQLite file: https://www.sqlite.org/fileformat2.html section 1.3.
+class FileHeader {
+ public:
+  static constexpr std::size_t kSize = 100;
+
+  // False where the file is too short to have a header.
+  bool read(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return static_cast<bool>(file.read(bytes_.data(), kSize));
+  }
+
+  bool isSqlite() const {
+    constexpr std::string_view kMagic("SQLite format 3\0", 16);
+    return std::equal(kMagic.begin(), kMagic.end(), bytes_.begin());
+  }
+  std::uint32_t applicationId() const { return number(68, 4); }
+  std::uint32_t schemaVersion() const { return number(60, 4); }
+  std::uint64_t fileSize() const {
+    const std::uint32_t page_size = number(16, 2);
+    return std::uint64_t{page_size == 1 ? 65536 : page_size} * number(28, 4);
+  }
+
+ private:
+  std::uint32_t number(std::size_t offset, std::size_t size) const {
+    std::uint32_t value = 0;
+    for (std::size_t i = offset; i < offset + size; ++i) {
+      value = value << 8U | static_cast<unsigned char>(bytes_[i]);
+    }
+    return value;
+  }
+
+  std::array<char, kSize> bytes_{};
+};
+
+// SQLite would start afresh in an empty file and write to any database of its own format, so what
+// the file is gets settled before SQLite sees it.
+void checkHeader(const std::string& path) {
+  FileHeader header;
+  if (!header.read(path)) {
+    throwStoreError(path, "cannot be read as a file, or was cut short: it has no complete header");
+  }
+  if (!header.isSqlite() || header.applicationId() != kApplicationId) {
+    throwStoreError(path, "is not a place store; it was left as it is. Name another file");
+  }
+  if (header.schemaVersion() != kSchemaVersion) {
+    throwStoreError(path, "has format " + std::to_string(header.schemaVersion()) + ", but only " +
+                              std::to_string(kSchemaVersion) +
+                              " is known here: it was written by a newer version");
+  }
+  // An unfinished change that the journal is there to undo may have left the size wrong.
+  const std::uint64_t size = fs::file_size(path);
+  if (size < header.fileSize() && !fs::exists(path + "-journal")) {
+    throwStoreError(path, "was cut short: " + std::to_string(size) + " of " +
+                              std::to_string(header.fileSize()) + " bytes are there");
+  }
+}
+
+void createSchema(SqliteDatabase& database) {
+  SqliteTransaction transaction(database);
+  database.execute(kSchema);
+  database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
+  database.execute("PRAGMA user_version = " + std::to_string(kSchemaVersion));
+  transaction.commit();
+}
+
+// Under another name first: whenever this is cut off, no half-made store bears the name.
+void createFile(const std::string& path) {
+  const std::string unfinished = path + ".new";
+  fs::remove(unfinished);
+  {
+    SqliteDatabase database(unfinished, true);
+    createSchema(database);
+  }
+  fs::rename(unfinished, path);
+}
+
+void checkContent(SqliteDatabase& database) {
+  SqliteStatement check(database, "PRAGMA quick_check(1)");
+  if (!check.step() || check.text(0) != "ok") {
+    throwStoreError(database.path(), "is damaged: " + check.text(0));
+  }
+  if (SqliteStatement(database, "PRAGMA foreign_key_check").step() ||
+      SqliteStatement(database, "SELECT id FROM place WHERE id NOT IN (SELECT place_id FROM grid)")
+          .step()) {
+    throwStoreError(database.path(), "is damaged: places, grids and links do not belong together");
+  }
+}
+
+std::unique_ptr<SqliteDatabase> openFile(const std::string& path) {
+  if (!fs::exists(path)) createFile(path);
+  checkHeader(path);
+  auto database = std::make_unique<SqliteDatabase>(path, false);
+  database->execute("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; COMMIT");
+  checkContent(*database);
+  return database;
+}
+
+}  // namespace
+
+std::unique_ptr<SqliteDatabase> openStoreFile(const std::string& path) {
+  std::unique_ptr<SqliteDatabase> database;
+  if (path.empty()) {
+    database = std::make_unique<SqliteDatabase>(":memory:", true);
+    createSchema(*database);
+  } else {
+    try {
+      database = openFile(fs::absolute(path).string());
+    } catch (const fs::filesystem_error& error) {
+      throwStoreError(path, error.code().message());
+    }
+  }
+  database->execute("PRAGMA foreign_keys = ON");
+  return database;
+}
+
+}  // namespace place_memory::core
