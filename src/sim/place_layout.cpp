@@ -11,17 +11,29 @@ namespace {
 
 using Graph = std::vector<std::vector<std::size_t>>;
 
-std::vector<Vec2> spotsIn(const Rect& room, double distance, Rng& rng) {
-  const auto count = [&](double side) { return std::max(1, static_cast<int>(side / distance)); };
+// Free spots about one to a lattice cell; where the middle of a cell is taken, ever farther off it.
+std::vector<Vec2> spotsIn(const Scene& scene, const Rect& room, const PlaceSpacing& spacing,
+                          Rng& rng) {
+  constexpr int kAttempts = 12;
+  const auto count = [&](double side) {
+    return std::max(1, static_cast<int>(side / spacing.distance));
+  };
   const int columns = count(room.width());
   const int rows = count(room.height());
+  const Vec2 cell{room.width() / columns, room.height() / rows};
+  const Vec2 room_to_move{std::max(0.0, 0.5 * cell.x - spacing.clearance),
+                          std::max(0.0, 0.5 * cell.y - spacing.clearance)};
   std::vector<Vec2> spots;
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const double jitter = 0.1 * distance;
-      spots.push_back(
-          {room.x0 + (column + 0.5) * room.width() / columns + uniform(rng, -jitter, jitter),
-           room.y0 + (row + 0.5) * room.height() / rows + uniform(rng, -jitter, jitter)});
+  for (int i = 0; i < columns * rows; ++i) {
+    const Vec2 middle{room.x0 + (i % columns + 0.5) * cell.x,
+                      room.y0 + (i / columns + 0.5) * cell.y};
+    for (int attempt = 1; attempt <= kAttempts; ++attempt) {
+      const double reach = static_cast<double>(attempt) / kAttempts;
+      const Vec2 spot = middle + Vec2{room_to_move.x * uniform(rng, -reach, reach),
+                                      room_to_move.y * uniform(rng, -reach, reach)};
+      if (!scene.isFree(spot, spacing.clearance)) continue;
+      spots.push_back(spot);
+      break;
     }
   }
   return spots;
@@ -34,8 +46,8 @@ Graph linkSpots(const World& world, const std::vector<Vec2>& spots, const PlaceS
   Graph links(spots.size());
   for (std::size_t i = 0; i < spots.size(); ++i) {
     for (std::size_t j = i + 1; j < spots.size(); ++j) {
-      if (norm(spots[i] - spots[j]) > 1.6 * spacing.distance) continue;
-      if (!scene.isPathFree(spots[i], spots[j], 0.7 * spacing.clearance)) continue;
+      if (norm(spots[i] - spots[j]) > 1.9 * spacing.distance) continue;
+      if (!scene.isPathFree(spots[i], spots[j], 0.6 * spacing.clearance)) continue;
       links[i].push_back(j);
       links[j].push_back(i);
     }
@@ -75,9 +87,8 @@ void layPlaces(World& world, const std::vector<Room>& rooms, const PlaceSpacing&
   const Scene scene(world);
   std::vector<Vec2> spots;
   for (const Room& room : rooms) {
-    for (const Vec2 spot : spotsIn(room.rect, spacing.distance, rng)) {
-      if (scene.isFree(spot, spacing.clearance)) spots.push_back(spot);
-    }
+    const std::vector<Vec2> found = spotsIn(scene, room.rect, spacing, rng);
+    spots.insert(spots.end(), found.begin(), found.end());
   }
   const Graph links = linkSpots(world, spots, spacing);
   const std::vector<std::size_t> chosen = chooseConnected(links, spacing.most, rng);
