@@ -1,0 +1,74 @@
+#ifndef PLACE_MEMORY_SIM_SIMULATION_H
+#define PLACE_MEMORY_SIM_SIMULATION_H
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "place_memory/sim/compass_field.h"
+#include "place_memory/sim/crowd.h"
+#include "place_memory/sim/random.h"
+#include "place_memory/sim/scene.h"
+#include "place_memory/sim/simulated_base.h"
+#include "place_memory/sim/simulated_scan.h"
+#include "place_memory/sim/world.h"
+
+namespace place_memory::sim {
+
+struct SimulationOptions {
+  std::uint64_t seed = 1;
+  int people = 0;              ///< walking about, >= 0
+  double compass_sigma = 0.0;  ///< place-bound compass error [rad], >= 0
+  double base_radius = 0.25;   ///< [m]
+  OdometryDrift drift;
+  SimulatedRobot robot;
+};
+
+/// A robot, people and a world that go on in time; repeatable by the seed and the calls made.
+class Simulation {
+ public:
+  Simulation(World world, const core::Pose2d& start, const SimulationOptions& options);
+
+  /// Goes on by `dt` seconds, the base driving at `forward` [m/s] and `turn` [rad/s].
+  void step(double dt, double forward, double turn);
+
+  /// One firing of the ring from where the base stands; infinities by REP 117.
+  std::vector<double> fire();
+
+  /// The heading that the compass shows: yaw from its east [rad], in [-pi, pi).
+  double compassHeading() const;
+
+  /// Puts the base down elsewhere. False where it would stand on something.
+  bool placeRobot(const core::Pose2d& pose);
+
+  /// By name; false where the world has nothing of that name.
+  bool setDoor(const std::string& name, bool open);
+  bool moveChair(const std::string& name, const core::Pose2d& pose);
+  bool removeWhiteboard(const std::string& name);
+
+  /// What a working day does: moves a share of the chairs by up to a metre and flips a share of the
+  /// doors, both in [0, 1], and brings so many bicycles. Returns how many things changed.
+  int rearrange(double chairs, double doors, int bicycles);
+
+  const World& world() const { return world_; }
+  const Scene& scene() const { return *scene_; }
+  const std::vector<Circle>& people() const { return crowd_.circles(); }
+  const SimulatedBase& base() const { return base_; }
+  const SimulatedRobot& robot() const { return options_.robot; }
+
+ private:
+  void rebuild() { scene_ = std::make_unique<Scene>(world_); }
+
+  SimulationOptions options_;
+  World world_;
+  Rng rng_;
+  std::unique_ptr<Scene> scene_;
+  Crowd crowd_;
+  SimulatedBase base_;
+  CompassField compass_;
+};
+
+}  // namespace place_memory::sim
+
+#endif  // PLACE_MEMORY_SIM_SIMULATION_H
