@@ -109,9 +109,20 @@ std::size_t PlaceMemory::clear() {
   return places;
 }
 
+std::size_t PlaceMemory::size() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return graph_.size();
+}
+
 PlaceGraph PlaceMemory::graph() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return graph_;
+}
+
+std::optional<Place> PlaceMemory::place(PlaceId id) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Place* place = graph_.find(id);
+  return place == nullptr ? std::nullopt : std::optional<Place>(*place);
 }
 
 EvidenceGrid PlaceMemory::grid(PlaceId id) const {
@@ -136,7 +147,10 @@ void PlaceMemory::forgetPreviousPlace() {
 const Place& PlaceMemory::findLocked(const std::string& label) const {
   const Place* place = graph_.find(label);
   if (place == nullptr) {
-    throw PlaceMemoryError(Reason::kUnknownPlace, "there is no place \"" + label + "\"");
+    // What is no label is not repeated: it may be too long or too broken to be shown.
+    throw PlaceMemoryError(Reason::kUnknownPlace, isValidLabel(label)
+                                                      ? "there is no place \"" + label + "\""
+                                                      : "there is no place with that label");
   }
   return *place;
 }

@@ -73,8 +73,11 @@ class PlaceMemory {
   /// Removes every place and returns how many there were. Throws PlaceMemoryError.
   std::size_t clear();
 
+  /// Number of places.
+  std::size_t size() const;
   /// The map as it is now.
   PlaceGraph graph() const;
+  std::optional<Place> place(PlaceId id) const;
   /// The grid as it was learned. Throws PlaceMemoryError.
   EvidenceGrid grid(PlaceId id) const;
 

@@ -1,0 +1,56 @@
+#ifndef PLACE_MEMORY_NODE_PLACE_MEMORY_NODE_H
+#define PLACE_MEMORY_NODE_PLACE_MEMORY_NODE_H
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <ros/wall_timer.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <memory>
+#include <string>
+
+#include "place_memory/config/parameters.h"
+#include "place_memory/core/place_memory.h"
+#include "place_memory/node/memory_publisher.h"
+#include "place_memory/node/newest_scan.h"
+#include "place_memory/node/place_services.h"
+#include "place_memory/node/scan_server.h"
+
+namespace place_memory::node {
+
+/// The node: scans go from the action to the services and topics.
+class PlaceMemoryNode {
+ public:
+  /// A store that cannot be used is reported, and the places are kept in memory. Throws
+  /// std::invalid_argument naming a parameter out of range.
+  PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
+                  const config::Parameters& parameters);
+
+  /// Ends a scan that runs and stops the robot. To be called before ros::shutdown().
+  void stop();
+
+ private:
+  std::unique_ptr<core::PlaceMemory> openMemory();
+  ScanServer::Callbacks scanCallbacks();
+  void dropScan();
+
+  ros::NodeHandle names_;
+  ros::NodeHandle private_names_;
+  const config::Parameters parameters_;
+
+  std::string store_problem_;  ///< why the store is not used; empty: it is, or none is configured
+  const std::unique_ptr<core::PlaceMemory> memory_;
+  NewestScan scan_;
+  MemoryPublisher publisher_;
+  tf2_ros::Buffer buffer_;
+  tf2_ros::TransformListener listener_;
+  ScanServer scan_server_;
+  PlaceServices services_;
+  diagnostic_updater::Updater diagnostics_;
+  ros::WallTimer diagnostics_timer_;
+};
+
+}  // namespace place_memory::node
+
+#endif  // PLACE_MEMORY_NODE_PLACE_MEMORY_NODE_H

@@ -1,0 +1,76 @@
+#include "place_memory/node/place_memory_node.h"
+
+#include <ros/console.h>
+
+#include "place_memory/node/memory_diagnostics.h"
+#include "place_memory/node/sonar_diagnostics.h"
+
+namespace place_memory::node {
+namespace {
+
+const ros::WallDuration kDiagnosticsPeriod(1.0);
+
+}  // namespace
+
+PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
+                                 const config::Parameters& parameters)
+    : names_(names),
+      private_names_(private_names),
+      parameters_(parameters),
+      memory_(openMemory()),
+      publisher_(private_names_, *memory_, parameters_),
+      listener_(buffer_, names_),
+      scan_server_(names_, private_names_, parameters_, buffer_, scanCallbacks()),
+      services_(private_names_, {*memory_, publisher_, scan_, parameters_, store_problem_}),
+      diagnostics_(names_, private_names_) {
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("memory", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    diagnoseMemory(*memory_, parameters_.store, store_problem_, status);
+  });
+  diagnostics_.add("sensors", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    diagnoseSonars(scan_server_.health(), ros::Time::now(), status);
+  });
+  // Forced, because the updater's own pace is that of simulated time, which may stand still.
+  diagnostics_timer_ = names_.createWallTimer(
+      kDiagnosticsPeriod, [this](const ros::WallTimerEvent&) { diagnostics_.force_update(); });
+}
+
+void PlaceMemoryNode::stop() { scan_server_.stop(); }
+
+std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
+  core::PlaceMemoryOptions options;
+  options.store_path = parameters_.store;
+  options.cell_size = parameters_.grid.cell_size;
+  options.recognizer = parameters_.match.recognizer;
+  try {
+    auto memory = std::make_unique<core::PlaceMemory>(options);
+    ROS_INFO("%zu places are known", memory->size());
+    return memory;
+  } catch (const core::StoreError& error) {
+    store_problem_ = error.what();
+    ROS_ERROR("Places are kept in memory only: %s", error.what());
+  }
+  options.store_path.clear();
+  return std::make_unique<core::PlaceMemory>(options);
+}
+
+ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
+  ScanServer::Callbacks callbacks;
+  callbacks.finished = [this](std::shared_ptr<const core::Scan> scan) {
+    publisher_.publishScan(*scan);
+    scan_.set(std::move(scan));
+  };
+  callbacks.partial = [this](const core::Scan& scan) { publisher_.publishScan(scan); };
+  callbacks.time_jump = [this] { dropScan(); };
+  return callbacks;
+}
+
+void PlaceMemoryNode::dropScan() {
+  scan_.drop();
+  memory_->forgetPreviousPlace();
+  ROS_WARN(
+      "Time ran backwards: the newest scan is dropped, and the next place will be linked to none; "
+      "all places are kept");
+}
+
+}  // namespace place_memory::node
