@@ -1,0 +1,23 @@
+#ifndef PLACE_MEMORY_CONFIG_MATCH_PRESET_H
+#define PLACE_MEMORY_CONFIG_MATCH_PRESET_H
+
+#include <string>
+
+#include "place_memory/config/parameter_error.h"
+#include "place_memory/core/recognizer_options.h"
+
+namespace place_memory::config {
+
+/// What was fitted together, and is chosen together by `match/preset`.
+struct MatchPreset {
+  core::PairWeights weights{};
+  core::Calibration calibration;
+};
+
+/// A preset of the package by its name, `evidence` or `paper` (config/presets), otherwise that of
+/// the file with this path. Throws ParameterError with everything that is wrong with the file.
+MatchPreset loadPreset(const std::string& name_or_path);
+
+}  // namespace place_memory::config
+
+#endif  // PLACE_MEMORY_CONFIG_MATCH_PRESET_H

@@ -1,0 +1,90 @@
+#ifndef PLACE_MEMORY_CONFIG_PARAMETER_READER_H
+#define PLACE_MEMORY_CONFIG_PARAMETER_READER_H
+
+#include <yaml-cpp/yaml.h>
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace place_memory::config {
+
+/// Values a number may have: between the bounds, which count if they are closed.
+struct Interval {
+  double low = 0.0;
+  double high = 0.0;
+  bool low_closed = true;
+  bool high_closed = true;
+
+  bool contains(double value) const;
+  std::string toString() const;  ///< as "(0, 0.5]"
+};
+
+/// Reads parameters out of tables of tables, each named by its path, as "scan/step". What is wrong
+/// is noted and the value left as it was, so that all problems are found in one go.
+class ParameterReader {
+ public:
+  /// Adds the parameters of a table on top of those added before. `source` tells a person where
+  /// they stand.
+  void add(const YAML::Node& table, const std::string& source);
+
+  void number(const std::string& name, const Interval& interval, double& value);
+  void integer(const std::string& name, const Interval& interval, int& value);
+  void flag(const std::string& name, bool& value);
+  /// `check` returns what is wrong with a text, or an empty string.
+  void text(const std::string& name, const std::function<std::string(const std::string&)>& check,
+            std::string& value);
+  void texts(const std::string& name, const std::function<std::string(const std::string&)>& check,
+             std::vector<std::string>& value);
+
+  template <class Value>
+  void choice(const std::string& name, const std::vector<std::pair<std::string, Value>>& choices,
+              Value& value) {
+    std::string words;
+    for (const auto& choice : choices) words += (words.empty() ? "" : ", ") + choice.first;
+    std::string word;
+    text(
+        name,
+        [&](const std::string& given) {
+          for (const auto& [known, meaning] : choices) {
+            if (known == given) return std::string();
+          }
+          return "must be one of " + words;
+        },
+        word);
+    for (const auto& [known, meaning] : choices) {
+      if (known == word) value = meaning;
+    }
+  }
+
+  /// Names asked for so far.
+  const std::set<std::string>& known() const { return known_; }
+
+  /// Everything that was wrong, in the order in which it was found; parameters nobody asked for
+  /// come last.
+  std::vector<std::string> problems() const;
+
+ private:
+  struct Entry {
+    YAML::Node value;
+    std::string source;
+  };
+
+  void flatten(const YAML::Node& node, const std::string& name, const std::string& source,
+               std::set<std::string>& names_here);
+  const Entry* find(const std::string& name);
+  void complain(const std::string& name, const Entry& entry, const std::string& problem);
+  bool readNumber(const std::string& name, const Entry& entry, const Interval& interval,
+                  double& value);
+
+  std::map<std::string, Entry> entries_;
+  std::set<std::string> known_;
+  std::vector<std::string> problems_;
+};
+
+}  // namespace place_memory::config
+
+#endif  // PLACE_MEMORY_CONFIG_PARAMETER_READER_H

@@ -1,0 +1,147 @@
+#include "place_memory/config/load_parameters.h"
+
+#include <sstream>
+
+#include "place_memory/config/match_preset.h"
+#include "place_memory/config/parameter_reader.h"
+
+namespace place_memory::config {
+namespace {
+
+constexpr double kLongest = 3600.0;  // [s]
+
+Interval closed(double low, double high) { return {low, high, true, true}; }
+Interval open(double low, double high) { return {low, high, false, false}; }
+Interval leftOpen(double low, double high) { return {low, high, false, true}; }
+
+std::string anything(const std::string& /*text*/) { return {}; }
+
+// Of a frame of tf2: a leading slash is an error there.
+std::string checkFrame(const std::string& name) {
+  if (name.empty()) return "must not be empty";
+  if (name.front() == '/') return "must not begin with a slash";
+  return {};
+}
+
+std::string checkOptionalFrame(const std::string& name) {
+  return name.empty() ? std::string() : checkFrame(name);
+}
+
+// Of a graph resource name (http://wiki.ros.org/Names).
+std::string checkTopic(const std::string& name) {
+  if (name.empty()) return "must not be empty";
+  const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  if ((letters + "/~").find(name.front()) == std::string::npos) {
+    return "must begin with a letter, a slash or a tilde";
+  }
+  if (name.find_first_not_of(letters + "0123456789_/", 1) != std::string::npos) {
+    return "must consist of letters, digits, underscores and slashes";
+  }
+  return {};
+}
+
+void readScan(ParameterReader& reader, ScanOptions& scan) {
+  reader.integer("scan/headings", closed(1, 3600), scan.headings);
+  reader.number("scan/step", leftOpen(0.0, core::kPi), scan.step);
+  reader.choice("scan/turn", {{"listen", Turn::kListen}, {"cmd_vel", Turn::kCmdVel}}, scan.turn);
+  reader.number("scan/turn_rate", leftOpen(0.0, core::kPi), scan.turn_rate);
+  reader.number("scan/timeout", leftOpen(0.0, kLongest), scan.timeout);
+  reader.integer("scan/min_readings", closed(1, 100000), scan.min_readings);
+  reader.number("scan/tf_timeout", closed(0.0, 10.0), scan.tf_timeout);
+  reader.number("scan/heading_timeout", leftOpen(0.0, kLongest), scan.heading_timeout);
+  reader.flag("scan/over_range_is_no_echo", scan.over_range_is_no_echo);
+}
+
+void readSonar(ParameterReader& reader, core::SonarModelOptions& sonar) {
+  reader.number("sonar/prior", open(0.0, 1.0), sonar.prior);
+  reader.number("sonar/occupied", open(0.0, 1.0), sonar.occupied);
+  reader.number("sonar/empty", open(0.0, 1.0), sonar.empty);
+  reader.number("sonar/echo_depth", closed(0.5, 8.0), sonar.echo_depth);
+}
+
+void readMatch(ParameterReader& reader, MatchOptions& match) {
+  reader.text("match/preset", anything, match.preset);
+  reader.choice("match/method",
+                {{"nearest_neighbour", core::SearchMethod::kNearestNeighbour},
+                 {"hill_climbing", core::SearchMethod::kHillClimbing},
+                 {"restarts", core::SearchMethod::kRestarts},
+                 {"exhaustive", core::SearchMethod::kExhaustive}},
+                match.recognizer.method);
+  reader.number("match/position_window", leftOpen(0.0, 100.0), match.recognizer.position_window);
+  reader.number("match/heading_window", closed(0.0, core::kPi), match.heading_window);
+  reader.number("match/confidence", open(0.5, 1.0), match.recognizer.confidence);
+}
+
+Parameters readAll(ParameterReader& reader) {
+  Parameters parameters;
+  reader.text("odom_frame", checkOptionalFrame, parameters.odom_frame);
+  reader.text("base_frame", checkFrame, parameters.base_frame);
+  reader.text("map_frame", checkFrame, parameters.map_frame);
+  reader.texts("sonar_topics", checkTopic, parameters.sonar_topics);
+  reader.text("heading_topic", checkTopic, parameters.heading_topic);
+  reader.text("store", anything, parameters.store);
+  reader.number("grid/cell_size", closed(0.001, 100.0), parameters.grid.cell_size);
+  readSonar(reader, parameters.sonar);
+  readScan(reader, parameters.scan);
+  readMatch(reader, parameters.match);
+  return parameters;
+}
+
+// What no parameter can say alone.
+void checkTogether(const Parameters& parameters, std::vector<std::string>& problems) {
+  const core::SonarModelOptions& sonar = parameters.sonar;
+  if (sonar.prior >= sonar.occupied || sonar.empty >= sonar.prior) {
+    std::ostringstream text;
+    text << "sonar: must be ascending: empty (" << sonar.empty << "), prior (" << sonar.prior
+         << "), occupied (" << sonar.occupied << ")";
+    problems.push_back(text.str());
+  }
+  if (parameters.odom_frame == parameters.base_frame) {
+    problems.push_back("odom_frame, base_frame: must not be the same frame");
+  }
+}
+
+Parameters finish(ParameterReader& reader) {
+  Parameters parameters = readAll(reader);
+  std::vector<std::string> problems = reader.problems();
+  if (problems.empty()) checkTogether(parameters, problems);
+  try {
+    const MatchPreset preset = loadPreset(parameters.match.preset);
+    parameters.match.recognizer.weights = preset.weights;
+    parameters.match.recognizer.calibration = preset.calibration;
+  } catch (const ParameterError& error) {
+    problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+  }
+  if (!problems.empty()) throw ParameterError(problems);
+  return parameters;
+}
+
+}  // namespace
+
+Parameters parseParameters(const YAML::Node& table, const std::string& source) {
+  ParameterReader reader;
+  reader.add(table, source);
+  return finish(reader);
+}
+
+Parameters loadParameters(const std::vector<std::string>& paths) {
+  ParameterReader reader;
+  std::vector<std::string> unreadable;
+  for (const std::string& path : paths) {
+    try {
+      reader.add(YAML::LoadFile(path), path);
+    } catch (const YAML::Exception& error) {
+      unreadable.push_back(path + ": " + error.what());
+    }
+  }
+  if (!unreadable.empty()) throw ParameterError(unreadable);
+  return finish(reader);
+}
+
+std::set<std::string> parameterNames() {
+  ParameterReader reader;
+  readAll(reader);
+  return reader.known();
+}
+
+}  // namespace place_memory::config
