@@ -1,0 +1,46 @@
+#ifndef PLACE_MEMORY_CORE_SWEEP_COVERAGE_H
+#define PLACE_MEMORY_CORE_SWEEP_COVERAGE_H
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace place_memory::core {
+
+/// Which headings of a sweep have been sensed (paper 3.1.4: eleven sets of readings at intervals of
+/// two degrees).
+///
+/// Headings are counted from that of the first reading, in both directions.
+class SweepCoverage {
+ public:
+  /// `headings` >= 1; `step` between them [rad], in (0, pi].
+  SweepCoverage(int headings, double step);
+
+  /// A reading of a sensor was used, while the robot's base was at this yaw [rad].
+  void add(const std::string& sensor, double base_yaw);
+
+  int target() const { return headings_; }
+  /// Headings at which a reading was used.
+  int headings() const { return static_cast<int>(readings_at_.size()); }
+  /// Headings that are over. The latest one is, once it has as many readings as there are sensors:
+  /// which is known when a sensor has had its second turn.
+  int completed() const;
+  bool done() const { return completed() >= headings_; }
+  /// In [0, 1].
+  double fraction() const;
+
+ private:
+  int headings_;
+  double step_;
+  int full_turn_ = 0;  // headings in a full turn where the sweep is one, otherwise 0
+  std::map<int, int> readings_at_;
+  std::map<std::string, int> readings_of_;
+  bool sensors_known_ = false;
+  std::optional<double> last_yaw_;
+  double turned_ = 0.0;  // since the first reading [rad]
+  int current_ = 0;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_SWEEP_COVERAGE_H

@@ -1,0 +1,52 @@
+#include "place_memory/core/sweep_turner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "place_memory/core/pose2d.h"
+
+namespace place_memory::core {
+namespace {
+
+constexpr double kGain = 2.0;             // rate for an error [1/s]
+constexpr double kLeastRate = 0.1;        // share of the top rate at which a robot still turns
+constexpr double kTolerance = kPi / 360;  // half a degree
+
+}  // namespace
+
+SweepTurner::SweepTurner(int headings, double step, double max_rate)
+    : headings_(headings),
+      step_(step),
+      max_rate_(max_rate),
+      tolerance_(std::min(kTolerance, 0.25 * step)) {
+  const bool full_turn = headings * step > 2.0 * kPi - 0.5 * step;
+  first_ = full_turn ? 0.0 : -0.5 * step * (headings - 1);
+}
+
+double SweepTurner::target(int completed) const {
+  switch (phase_) {
+    case Phase::kToFirst:
+      return first_;
+    case Phase::kSweep:
+      return first_ + step_ * std::min(completed, headings_ - 1);
+    default:
+      return 2.0 * kPi * std::round(turned_ / (2.0 * kPi));
+  }
+}
+
+double SweepTurner::update(double yaw, int completed) {
+  if (last_yaw_) turned_ += wrapAngle(yaw - *last_yaw_);
+  last_yaw_ = yaw;
+
+  const auto reached = [&] { return std::abs(target(completed) - turned_) <= tolerance_; };
+  if (phase_ == Phase::kToFirst && reached()) phase_ = Phase::kSweep;
+  if (phase_ == Phase::kSweep && completed >= headings_) phase_ = Phase::kBack;
+  if (phase_ == Phase::kBack && reached()) phase_ = Phase::kDone;
+  if (reached()) return 0.0;
+
+  const double error = target(completed) - turned_;
+  const double rate = std::clamp(kGain * std::abs(error), kLeastRate * max_rate_, max_rate_);
+  return std::copysign(rate, error);
+}
+
+}  // namespace place_memory::core
