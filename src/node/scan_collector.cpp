@@ -1,0 +1,313 @@
+#include "place_memory/node/scan_collector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "place_memory/node/heading_check.h"
+#include "place_memory/node/sensor_placement.h"
+
+namespace place_memory::node {
+namespace {
+
+// Odometry moves no further between two readings than a fast robot and its noise do.
+constexpr double kJumpDistance = 0.3;  // [m]
+constexpr double kJumpYaw = 0.35;      // [rad]
+constexpr double kTopSpeed = 3.0;      // [m/s]
+constexpr double kTopTurnRate = 6.3;   // [rad/s]
+
+// A sonar that looks up or down more steeply says nothing about the plane.
+constexpr double kLeastLevel = 0.1;
+
+std::chrono::nanoseconds toNanoseconds(const ros::Time& time) {
+  return std::chrono::seconds(time.sec) + std::chrono::nanoseconds(time.nsec);
+}
+
+std::chrono::nanoseconds toNanoseconds(double seconds) {
+  return std::chrono::nanoseconds(std::llround(seconds * 1e9));
+}
+
+ros::Time latestCredible(const ros::Time& received) {
+  return received + ros::Duration().fromNSec(core::kMaxDisorder.count());
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+ScanCollector::ScanCollector(const config::Parameters& parameters, const tf2::BufferCore& buffer)
+    : parameters_(parameters),
+      buffer_(buffer),
+      model_(parameters.sonar),
+      history_(toNanoseconds(parameters.scan.heading_timeout)) {}
+
+void ScanCollector::begin(const ros::Time& start, int headings, double step) {
+  drop();
+  coverage_.emplace(headings, step);
+  start_ = start;
+}
+
+void ScanCollector::drop() {
+  coverage_.reset();
+  failure_.reset();
+  pending_ranges_.clear();
+  pending_headings_.clear();
+  placed_.clear();
+  rejected_.fill(0);
+  closed_ = false;
+  scan_problem_.clear();
+  sum_sin_ = sum_cos_ = 0.0;
+}
+
+void ScanCollector::addHeading(const sensor_msgs::Imu& message, const ros::Time& received) {
+  const CheckedHeading heading = checkHeading(message);
+  if (heading.problem) {
+    problem_ = scan_problem_ = "heading left out: " + *heading.problem;
+    return;
+  }
+  const ros::Time& stamp = message.header.stamp;
+  if (stamp > latestCredible(received)) {
+    problem_ = scan_problem_ =
+        "heading left out: it is stamped more than a second ahead of the clock";
+    return;
+  }
+  switch (history_.add(toNanoseconds(stamp), heading.yaw)) {
+    case core::TimeOrder::kLate:
+      return;
+    case core::TimeOrder::kBackwards:
+      timeRanBackwards(parameters_.heading_topic);
+      break;
+    case core::TimeOrder::kForward:
+      break;
+  }
+  if (collecting() && usesOdometry() && stamp >= start_) {
+    pending_headings_.push_back(
+        {stamp, received + ros::Duration(parameters_.scan.tf_timeout), heading.yaw});
+  }
+}
+
+void ScanCollector::addRange(const sensor_msgs::Range& message, const ros::Time& received) {
+  const ros::Time& stamp = message.header.stamp;
+  const std::string& frame = message.header.frame_id;
+  health_.noteMessage(message);
+  const CheckedRange checked = checkRange(message, parameters_.scan.over_range_is_no_echo);
+  if (checked.reject != Reject::kNoStamp) {
+    const ros::Time newest = std::min(stamp, latestCredible(received));
+    const core::TimeOrder order =
+        core::timeOrder(toNanoseconds(newest), toNanoseconds(newest_range_));
+    if (order == core::TimeOrder::kBackwards) timeRanBackwards(frame);
+    if (order != core::TimeOrder::kLate) newest_range_ = newest;
+  }
+  const bool of_scan = collecting() && !closed_ && (stamp >= start_ || stamp.isZero());
+  if (checked.reject) {
+    health_.noteReject(frame, *checked.reject);
+    if (of_scan) ++rejected_.at(static_cast<std::size_t>(*checked.reject));
+    return;
+  }
+  if (!of_scan) return;
+  pending_ranges_.push_back({frame, stamp, received + ros::Duration(parameters_.scan.tf_timeout),
+                             checked.spec, checked.range});
+}
+
+void ScanCollector::timeRanBackwards(const std::string& source) {
+  time_jump_ = true;
+  history_.clear();
+  newest_range_ = ros::Time();
+  pending_ranges_.clear();
+  pending_headings_.clear();
+  fail(ScanStatus::kTimeJump,
+       "time ran backwards in the messages of " + source + ": the scan is dropped; scan again");
+}
+
+void ScanCollector::fail(ScanStatus status, const std::string& message) {
+  if (collecting() && !failure_) failure_ = ScanOutcome{status, message, nullptr};
+}
+
+void ScanCollector::reject(const std::string& frame, Reject reason) {
+  health_.noteReject(frame, reason);
+  ++rejected_.at(static_cast<std::size_t>(reason));
+}
+
+std::optional<core::Pose2d> ScanCollector::basePose(const ros::Time& stamp,
+                                                    std::string& problem) const {
+  if (usesOdometry()) {
+    const auto base =
+        lookupPlanar(buffer_, parameters_.odom_frame, parameters_.base_frame, stamp, problem);
+    if (!base) return std::nullopt;
+    return base->pose;
+  }
+  const std::optional<double> heading = history_.at(toNanoseconds(stamp));
+  if (!heading) {
+    problem = "no heading on " + parameters_.heading_topic + " near the stamp of a reading";
+    return std::nullopt;
+  }
+  return core::Pose2d{0.0, 0.0, *heading};
+}
+
+bool ScanCollector::tooEarly(const Pending& pending) const {
+  // The next heading is needed too: between two of them the robot turns.
+  const auto newest = history_.newest();
+  return !usesOdometry() && (!newest || newest->stamp < toNanoseconds(pending.stamp));
+}
+
+std::optional<Reject> ScanCollector::place(const Pending& pending, std::string& problem) {
+  if (placed_.size() >= kMaxReadings) return Reject::kScanFull;
+  const auto sensor =
+      lookupPlanar(buffer_, parameters_.base_frame, pending.frame, pending.stamp, problem);
+  if (!sensor) return Reject::kNoTransform;
+  if (sensor->level < kLeastLevel) return Reject::kVertical;
+  const auto base = basePose(pending.stamp, problem);
+  if (!base) return usesOdometry() ? Reject::kNoOdometry : Reject::kNoHeading;
+
+  Placed placed;
+  placed.stamp = pending.stamp;
+  placed.base = *base;
+  placed.reading.sensor_pose = *base * sensor->pose;
+  placed.reading.spec = pending.spec;
+  placed.reading.spec.min_range *= sensor->level;
+  placed.reading.spec.max_range *= sensor->level;
+  placed.reading.range = pending.range * sensor->level;
+  use(pending.frame, placed);
+  return std::nullopt;
+}
+
+void ScanCollector::use(const std::string& frame, const Placed& reading) {
+  if (usesOdometry() && jumped(reading)) {
+    fail(ScanStatus::kOdometryJump,
+         "odometry (" + parameters_.odom_frame + " to " + parameters_.base_frame +
+             ") jumped between two readings: the scan is dropped; scan again");
+    return;
+  }
+  coverage_->add(frame, reading.base.yaw);
+  placed_.push_back(reading);
+}
+
+bool ScanCollector::jumped(const Placed& reading) const {
+  if (placed_.empty()) return false;
+  const Placed& last = placed_.back();
+  const double dt = std::abs((reading.stamp - last.stamp).toSec());
+  const double moved = std::hypot(reading.base.x - last.base.x, reading.base.y - last.base.y);
+  const double turned = std::abs(core::wrapAngle(reading.base.yaw - last.base.yaw));
+  return moved > kJumpDistance + kTopSpeed * dt || turned > kJumpYaw + kTopTurnRate * dt;
+}
+
+void ScanCollector::process(const ros::Time& now) {
+  if (!collecting()) return;
+  processHeadings(now);
+  std::deque<Pending> waiting;
+  for (Pending& pending : pending_ranges_) {
+    if (failure_) break;
+    const bool last_chance = now >= pending.deadline;
+    std::string problem;
+    const std::optional<Reject> reason =
+        tooEarly(pending) && !last_chance ? Reject::kNoHeading : place(pending, problem);
+    if (!reason) continue;
+    const bool may_come = *reason == Reject::kNoTransform || *reason == Reject::kNoOdometry ||
+                          *reason == Reject::kNoHeading;
+    if (may_come && !last_chance) {
+      waiting.push_back(std::move(pending));
+      continue;
+    }
+    reject(pending.frame, *reason);
+    if (!problem.empty()) problem_ = scan_problem_ = "reading left out: " + problem;
+  }
+  pending_ranges_.swap(waiting);
+}
+
+void ScanCollector::processHeadings(const ros::Time& now) {
+  std::deque<PendingHeading> waiting;
+  for (const PendingHeading& pending : pending_headings_) {
+    std::string problem;
+    if (const auto base = basePose(pending.stamp, problem)) {
+      sum_sin_ += std::sin(pending.yaw - base->yaw);
+      sum_cos_ += std::cos(pending.yaw - base->yaw);
+    } else if (now < pending.deadline) {
+      waiting.push_back(pending);
+    }
+  }
+  pending_headings_.swap(waiting);
+}
+
+std::optional<double> ScanCollector::compassMinusFixed() const {
+  if (!usesOdometry()) return 0.0;
+  if (sum_sin_ != 0.0 || sum_cos_ != 0.0) return std::atan2(sum_sin_, sum_cos_);
+  // A slow compass may not have spoken during a short scan.
+  const std::optional<double> heading = history_.at(toNanoseconds(placed_.front().stamp));
+  if (!heading) return std::nullopt;
+  return *heading - placed_.front().base.yaw;
+}
+
+std::optional<core::Scan> ScanCollector::snapshot(const ros::Time& end) const {
+  if (placed_.empty()) return std::nullopt;
+  const std::optional<double> offset = compassMinusFixed();
+  if (!offset) return std::nullopt;
+
+  const core::Pose2d& origin = placed_.front().base;
+  const core::Pose2d fixed_from_scan{origin.x, origin.y, -*offset};
+  const core::Pose2d scan_from_fixed = fixed_from_scan.inverse();
+  std::string problem;
+  core::Scan scan;
+  for (const Placed& placed : placed_) {
+    core::SonarReading reading = placed.reading;
+    reading.sensor_pose = scan_from_fixed * reading.sensor_pose;
+    scan.readings.push_back(reading);
+  }
+  scan.grid = model_.build(scan.readings, parameters_.grid);
+  scan.map_from_scan = usesOdometry() ? fixed_from_scan : core::Pose2d{};
+  scan.robot_in_scan = scan_from_fixed * basePose(end, problem).value_or(placed_.back().base);
+  scan.begin = toNanoseconds(start_);
+  scan.end = toNanoseconds(end);
+  return scan;
+}
+
+ScanOutcome ScanCollector::outcome(const ros::Time& end) const {
+  if (failure_) return *failure_;
+  if (placed_.size() < static_cast<std::size_t>(parameters_.scan.min_readings)) return tooFew();
+  auto scan = snapshot(end);
+  if (!scan) {
+    return {ScanStatus::kNoHeading,
+            "no heading came on " + parameters_.heading_topic +
+                ": a scan needs the compass, or whatever stands in for it, since its grid lies "
+                "along compass north",
+            nullptr};
+  }
+  std::ostringstream text;
+  text << placed_.size() << " readings at " << coverage_->headings() << " headings"
+       << rejectedInWords();
+  return {ScanStatus::kSucceeded, text.str(), std::make_shared<const core::Scan>(std::move(*scan))};
+}
+
+ScanOutcome ScanCollector::tooFew() const {
+  const auto most = std::max_element(rejected_.begin(), rejected_.end());
+  const auto reason = static_cast<Reject>(most - rejected_.begin());
+  ScanStatus status = ScanStatus::kTooFewReadings;
+  if (*most > 0 && reason == Reject::kNoHeading) status = ScanStatus::kNoHeading;
+  if (*most > 0 && reason == Reject::kNoOdometry) status = ScanStatus::kNoOdometry;
+
+  std::ostringstream text;
+  text << placed_.size() << " readings can be used, " << parameters_.scan.min_readings
+       << " are needed (scan/min_readings)" << rejectedInWords();
+  if (*most == 0) text << "; is anything published on " << joined(parameters_.sonar_topics) << "?";
+  if (!scan_problem_.empty()) text << "; " << scan_problem_;
+  return {status, text.str(), nullptr};
+}
+
+std::string ScanCollector::rejectedInWords() const {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < kRejects; ++i) {
+    if (rejected_[i] == 0) continue;
+    words.push_back(std::to_string(rejected_[i]) + " " + toString(static_cast<Reject>(i)));
+  }
+  return words.empty() ? std::string() : "; left out: " + joined(words);
+}
+
+std::string ScanCollector::takeProblem() { return std::exchange(problem_, {}); }
+
+bool ScanCollector::takeTimeJump() { return std::exchange(time_jump_, false); }
+
+}  // namespace place_memory::node

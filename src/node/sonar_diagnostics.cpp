@@ -1,0 +1,48 @@
+#include "place_memory/node/sonar_diagnostics.h"
+
+#include <numeric>
+#include <sstream>
+
+namespace place_memory::node {
+namespace {
+
+using Level = diagnostic_msgs::DiagnosticStatus;
+
+void summarize(const std::string& frame, const SensorHealth& sensor, const ros::Time& now,
+               diagnostic_updater::DiagnosticStatusWrapper& status) {
+  if (!sensor.sensor_problem.empty()) {
+    status.mergeSummary(Level::ERROR, frame + ": " + sensor.sensor_problem);
+    return;
+  }
+  const auto rejected =
+      std::accumulate(sensor.rejected.begin(), sensor.rejected.end(), std::uint64_t{0});
+  if (now - sensor.last_stamp > kSensorSilence) {
+    status.mergeSummary(Level::WARN, frame + ": silent");
+  } else if (rejected >= sensor.messages) {
+    status.mergeSummary(Level::WARN, frame + ": every reading is rejected");
+  }
+}
+
+std::string inWords(const SensorHealth& sensor) {
+  std::ostringstream text;
+  text << sensor.messages << " messages";
+  for (std::size_t i = 0; i < kRejects; ++i) {
+    if (sensor.rejected[i] == 0) continue;
+    text << ", " << sensor.rejected[i] << ' ' << toString(static_cast<Reject>(i));
+  }
+  return text.str();
+}
+
+}  // namespace
+
+void diagnoseSonars(const std::map<std::string, SensorHealth>& sensors, const ros::Time& now,
+                    diagnostic_updater::DiagnosticStatusWrapper& status) {
+  status.summary(Level::OK, std::to_string(sensors.size()) + " sensors");
+  if (sensors.empty()) status.summary(Level::WARN, "no sensor has sent a reading");
+  for (const auto& [frame, sensor] : sensors) {
+    summarize(frame, sensor, now, status);
+    status.add(frame, inWords(sensor));
+  }
+}
+
+}  // namespace place_memory::node
