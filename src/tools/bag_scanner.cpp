@@ -1,0 +1,123 @@
+#include "bag_scanner.h"
+
+#include <rosbag/view.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+namespace place_memory::tools {
+namespace {
+
+constexpr char kTf[] = "tf";
+constexpr char kStaticTf[] = "tf_static";
+
+// Transforms and headings so long before a scan are read too: between two of them lies its start.
+const ros::Duration kLead(10.0);
+// Messages are recorded so much later than they are stamped.
+const ros::Duration kRecordingDelay(1.0);
+
+// Names are the same with and without the slash: a bag has them resolved, parameters do not.
+std::string withoutSlash(const std::string& name) {
+  return name.substr(std::min(name.find_first_not_of('/'), name.size()));
+}
+
+std::string joined(const std::map<std::string, std::string>& types) {
+  std::string text;
+  for (const auto& [name, type] : types) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+BagScanner::BagScanner(const std::string& path, const config::Parameters& parameters)
+    : parameters_(parameters) {
+  try {
+    bag_.open(path, rosbag::bagmode::Read);
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error("cannot read the bag " + path + ": " + error.what());
+  }
+  requireTopics(path);
+  readStaticTransforms();
+}
+
+void BagScanner::requireTopics(const std::string& path) {
+  std::map<std::string, std::string> types;
+  rosbag::View everything(bag_);
+  for (const rosbag::ConnectionInfo* connection : everything.getConnections()) {
+    types[withoutSlash(connection->topic)] = connection->datatype;
+    topics_.push_back(connection->topic);
+  }
+  const auto require = [&](const std::string& topic, const std::string& type) {
+    const auto found = types.find(withoutSlash(topic));
+    if (found == types.end()) {
+      throw std::runtime_error("the bag " + path + " has no topic " + topic + "; it has " +
+                               joined(types));
+    }
+    if (found->second != type) {
+      throw std::runtime_error("in the bag " + path + " the topic " + topic + " holds " +
+                               found->second + ", not " + type);
+    }
+    return found->first;
+  };
+  for (const std::string& topic : parameters_.sonar_topics) {
+    sonar_topics_.push_back(require(topic, "sensor_msgs/Range"));
+  }
+  heading_topic_ = require(parameters_.heading_topic, "sensor_msgs/Imu");
+  if (!parameters_.odom_frame.empty()) require(kTf, "tf2_msgs/TFMessage");
+
+  const auto needless = [&](const std::string& topic) {
+    const std::string name = withoutSlash(topic);
+    return name != kTf && name != heading_topic_ &&
+           std::find(sonar_topics_.begin(), sonar_topics_.end(), name) == sonar_topics_.end();
+  };
+  topics_.erase(std::remove_if(topics_.begin(), topics_.end(), needless), topics_.end());
+}
+
+void BagScanner::readStaticTransforms() {
+  const auto is_static = [](const rosbag::ConnectionInfo* connection) {
+    return withoutSlash(connection->topic) == kStaticTf;
+  };
+  rosbag::View view(bag_, is_static);
+  for (const rosbag::MessageInstance& message : view) {
+    if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
+      static_transforms_.insert(static_transforms_.end(), transforms->transforms.begin(),
+                                transforms->transforms.end());
+    }
+  }
+}
+
+node::ScanOutcome BagScanner::scan(const ros::Time& start, const ros::Time& end) const {
+  const ros::Duration wait(parameters_.scan.tf_timeout);
+  tf2::BufferCore transforms(end - start + kLead + kLead);
+  for (const auto& transform : static_transforms_) transforms.setTransform(transform, "bag", true);
+  node::ScanCollector collector(parameters_, transforms);
+  collector.begin(start, parameters_.scan.headings, parameters_.scan.step);
+
+  const ros::Time first = start.toSec() > kLead.toSec() ? start - kLead : ros::TIME_MIN;
+  rosbag::View view(bag_, rosbag::TopicQuery(topics_), first, end + wait + kRecordingDelay);
+  for (const rosbag::MessageInstance& message : view) {
+    const std::string topic = withoutSlash(message.getTopic());
+    if (topic == kTf) {
+      const auto moved = message.instantiate<tf2_msgs::TFMessage>();
+      if (!moved) continue;
+      for (const auto& transform : moved->transforms) transforms.setTransform(transform, "bag");
+    } else if (topic == heading_topic_) {
+      // Those after the end serve readings that still wait for the next heading.
+      const auto heading = message.instantiate<sensor_msgs::Imu>();
+      if (!heading || (heading->header.stamp > end && !collector.waiting())) continue;
+      collector.addHeading(*heading, message.getTime());
+    } else {
+      const auto range = message.instantiate<sensor_msgs::Range>();
+      if (!range || range->header.stamp > end) continue;
+      collector.addRange(*range, message.getTime());
+      continue;  // what it needs comes later
+    }
+    collector.process(message.getTime());
+  }
+  collector.process(ros::TIME_MAX);
+  return collector.outcome(end);
+}
+
+}  // namespace place_memory::tools

@@ -1,0 +1,28 @@
+#ifndef PLACE_MEMORY_TOOLS_PROGRESS_BAR_H
+#define PLACE_MEMORY_TOOLS_PROGRESS_BAR_H
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+
+namespace place_memory::tools {
+
+/// One line that is drawn over and over.
+class ProgressBar {
+ public:
+  ProgressBar(std::size_t total, std::ostream& output) : total_(total), output_(output) {}
+
+  void show(std::size_t done);
+  /// Writes a line above the bar.
+  void note(const std::string& line);
+  void finish() { output_ << '\n'; }
+
+ private:
+  std::size_t total_;
+  std::ostream& output_;
+  std::string drawn_;
+};
+
+}  // namespace place_memory::tools
+
+#endif  // PLACE_MEMORY_TOOLS_PROGRESS_BAR_H

@@ -1,0 +1,33 @@
+#ifndef PLACE_MEMORY_TOOLS_RESULT_TABLE_H
+#define PLACE_MEMORY_TOOLS_RESULT_TABLE_H
+
+#include <ostream>
+#include <string>
+
+#include "event_table.h"
+#include "place_memory/core/place_memory.h"
+
+namespace place_memory::tools {
+
+/// What came of an event; fields that it has no value for stay empty.
+struct Result {
+  std::string status;   ///< ok, or a word that says what went wrong
+  std::string message;  ///< what went wrong, in a sentence
+  std::string verdict;  ///< of a recognition: recognized, ambiguous or unknown
+  std::string place;    ///< label of the place that was learned, or that matches best
+  bool matched = false;
+  double score = 0.0;
+  double probability = 0.0;
+  core::Pose2d robot;  ///< base in the map; valid where a place was learned or matched
+  double match_ms = 0.0;
+};
+
+/// Learns or recognizes; never throws for what the memory refuses.
+Result run(const Event& event, const core::Scan& scan, core::PlaceMemory& memory);
+
+void writeHeader(std::ostream& table);
+void writeRow(const Event& event, const Result& result, std::ostream& table);
+
+}  // namespace place_memory::tools
+
+#endif  // PLACE_MEMORY_TOOLS_RESULT_TABLE_H
