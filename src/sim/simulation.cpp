@@ -41,29 +41,50 @@ bool Simulation::placeRobot(const core::Pose2d& pose) {
   return true;
 }
 
-bool Simulation::setDoor(const std::string& name, bool open) {
-  if (!sim::setDoor(world_, name, open)) return false;
-  rebuild();
-  return true;
+bool Simulation::leavesRoom(const Scene& scene) const {
+  const core::Pose2d& robot = base_.truth();
+  return scene.isFree({robot.x, robot.y}, options_.base_radius);
 }
 
-bool Simulation::moveChair(const std::string& name, const core::Pose2d& pose) {
-  if (!pose.isFinite() || !sim::moveChair(world_, name, pose)) return false;
-  rebuild();
-  return true;
+// A robot that touches something already, driven there, forbids no change.
+ChangeResult Simulation::adopt(World changed) {
+  auto scene = std::make_unique<Scene>(changed);
+  if (leavesRoom(*scene_) && !leavesRoom(*scene)) return ChangeResult::kBlocked;
+  world_ = std::move(changed);
+  scene_ = std::move(scene);
+  return ChangeResult::kDone;
 }
 
-bool Simulation::removeWhiteboard(const std::string& name) {
-  if (!sim::removeWhiteboard(world_, name)) return false;
-  rebuild();
-  return true;
+ChangeResult Simulation::setDoor(const std::string& name, bool open) {
+  World changed = world_;
+  if (!sim::setDoor(changed, name, open)) return ChangeResult::kUnknownName;
+  return adopt(std::move(changed));
+}
+
+ChangeResult Simulation::moveChair(const std::string& name, const core::Pose2d& pose) {
+  World changed = world_;
+  if (!sim::moveChair(changed, name, pose)) return ChangeResult::kUnknownName;
+  if (!pose.isFinite()) return ChangeResult::kBlocked;
+  return adopt(std::move(changed));
+}
+
+ChangeResult Simulation::removeWhiteboard(const std::string& name) {
+  World changed = world_;
+  if (!sim::removeWhiteboard(changed, name)) return ChangeResult::kUnknownName;
+  return adopt(std::move(changed));
 }
 
 int Simulation::rearrange(double chairs, double doors, int bicycles) {
-  const int changed = moveChairs(world_, chairs, kChairStroll, rng_) +
-                      flipDoors(world_, doors, rng_) + addBicycles(world_, bicycles, rng_);
-  rebuild();
-  return changed;
+  World changed = world_;
+  // The changes keep clear of places; for them the robot stands at one.
+  const core::Pose2d& robot = base_.truth();
+  changed.places.push_back({"", {robot.x, robot.y}, {}});
+  const int count = moveChairs(changed, chairs, kChairStroll, rng_) +
+                    flipDoors(changed, doors, rng_) + addBicycles(changed, bicycles, rng_);
+  changed.places.pop_back();
+  world_ = std::move(changed);
+  scene_ = std::make_unique<Scene>(world_);
+  return count;
 }
 
 }  // namespace place_memory::sim

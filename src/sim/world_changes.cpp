@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kChairRadius = 0.32;
 constexpr double kChairDistance = 1.83;  // six feet, paper section 5 [m]
+constexpr double kHandlebar = 0.3;       // half the width of a bicycle [m]
 constexpr int kAttempts = 40;
 
 bool coversPlace(const World& world, Vec2 point, double radius) {
@@ -121,10 +122,11 @@ int addBicycles(World& world, int count, Rng& rng) {
     const double yaw = uniform(rng, -core::kPi, core::kPi);
     const Vec2 half = unitVector(yaw) * 0.85;
     const Scene scene(world);
-    if (!scene.isPathFree(spot - half, spot + half, 0.1)) continue;
+    if (!scene.isPathFree(spot - half, spot + half, kHandlebar)) continue;
     if (!scene.isPathFree(near, spot, 0.05)) continue;
     const bool covers = std::any_of(world.places.begin(), world.places.end(), [&](const Place& p) {
-      return distanceToSegment(p.position, spot - half, spot + half) <= kPlaceClearance + 0.1;
+      return distanceToSegment(p.position, spot - half, spot + half) <=
+             kPlaceClearance + kHandlebar;
     });
     if (covers) continue;
     world.bicycles.push_back({unusedName(world.bicycles, "added_bicycle"), {spot.x, spot.y, yaw}});

@@ -25,6 +25,12 @@ struct SimulationOptions {
   SimulatedRobot robot;
 };
 
+enum class ChangeResult {
+  kDone,
+  kUnknownName,  ///< the world has nothing of that name
+  kBlocked,      ///< it would have come to lie on the robot, or at no finite position
+};
+
 /// A robot, people and a world that go on in time; repeatable by the seed and the calls made.
 class Simulation {
  public:
@@ -42,13 +48,14 @@ class Simulation {
   /// Puts the base down elsewhere. False where it would stand on something.
   bool placeRobot(const core::Pose2d& pose);
 
-  /// By name; false where the world has nothing of that name.
-  bool setDoor(const std::string& name, bool open);
-  bool moveChair(const std::string& name, const core::Pose2d& pose);
-  bool removeWhiteboard(const std::string& name);
+  /// By name. Only kDone changes anything.
+  ChangeResult setDoor(const std::string& name, bool open);
+  ChangeResult moveChair(const std::string& name, const core::Pose2d& pose);
+  ChangeResult removeWhiteboard(const std::string& name);
 
   /// What a working day does: moves a share of the chairs by up to a metre and flips a share of the
-  /// doors, both in [0, 1], and brings so many bicycles. Returns how many things changed.
+  /// doors, both in [0, 1], and brings so many bicycles. The robot keeps its room. Returns how many
+  /// things changed.
   int rearrange(double chairs, double doors, int bicycles);
 
   const World& world() const { return world_; }
@@ -58,7 +65,8 @@ class Simulation {
   const SimulatedRobot& robot() const { return options_.robot; }
 
  private:
-  void rebuild() { scene_ = std::make_unique<Scene>(world_); }
+  bool leavesRoom(const Scene& scene) const;
+  ChangeResult adopt(World changed);
 
   SimulationOptions options_;
   World world_;

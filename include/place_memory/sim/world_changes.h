@@ -22,7 +22,7 @@ int flipDoors(World& world, double fraction, Rng& rng);
 /// many moved.
 int moveChairs(World& world, double fraction, double distance, Rng& rng);
 
-/// Leans or parks `count` bicycles in free space within two metres of places. Returns how many.
+/// Parks `count` bicycles in free space within two metres of places. Returns how many.
 int addBicycles(World& world, int count, Rng& rng);
 
 /// False where the world has no such whiteboard.
