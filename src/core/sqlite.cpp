@@ -8,6 +8,19 @@ namespace {
 // Long enough for the program that had the file before to end.
 constexpr int kBusyTimeoutMs = 2000;
 
+[[noreturn]] void throwSqliteError(const std::string& path, sqlite3* handle) {
+  const std::string reason = sqlite3_errmsg(handle);
+  switch (sqlite3_errcode(handle)) {
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      throwStoreError(path, "is damaged: " + reason);
+    case SQLITE_BUSY:
+      throwStoreError(path, "is in use by another program: " + reason);
+    default:
+      throwStoreError(path, reason);
+  }
+}
+
 }  // namespace
 
 void throwStoreError(const std::string& path, const std::string& reason) {
@@ -19,14 +32,13 @@ SqliteDatabase::SqliteDatabase(const std::string& path, bool create) : path_(pat
   sqlite3* handle = nullptr;
   const int code = sqlite3_open_v2(path.c_str(), &handle, flags, nullptr);
   handle_.reset(handle);
-  if (code != SQLITE_OK)
-    throwStoreError(path, handle == nullptr ? "out of memory" : sqlite3_errmsg(handle));
+  if (code != SQLITE_OK) throwSqliteError(path, handle);
   sqlite3_busy_timeout(handle, kBusyTimeoutMs);
 }
 
 void SqliteDatabase::execute(const std::string& sql) {
   if (sqlite3_exec(handle(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) {
-    throwStoreError(path_, sqlite3_errmsg(handle()));
+    throwSqliteError(path_, handle());
   }
 }
 
@@ -61,7 +73,7 @@ SqliteStatement& SqliteStatement::bind(const void* bytes, std::size_t size) {
 bool SqliteStatement::step() {
   const int code = sqlite3_step(handle_.get());
   if (code == SQLITE_ROW) return true;
-  if (code != SQLITE_DONE) throwStoreError(database_.path(), sqlite3_errmsg(database_.handle()));
+  if (code != SQLITE_DONE) throwSqliteError(database_.path(), database_.handle());
   return false;
 }
 
@@ -71,7 +83,7 @@ std::string SqliteStatement::text(int column) const {
 }
 
 void SqliteStatement::check(int code) {
-  if (code != SQLITE_OK) throwStoreError(database_.path(), sqlite3_errmsg(database_.handle()));
+  if (code != SQLITE_OK) throwSqliteError(database_.path(), database_.handle());
 }
 
 SqliteTransaction::SqliteTransaction(SqliteDatabase& database) : database_(database) {

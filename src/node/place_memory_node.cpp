@@ -9,6 +9,7 @@ namespace place_memory::node {
 namespace {
 
 const ros::WallDuration kDiagnosticsPeriod(1.0);
+constexpr int kTicksBetweenWarnings = 10;
 
 }  // namespace
 
@@ -32,7 +33,15 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
   });
   // Forced, because the updater's own pace is that of simulated time, which may stand still.
   diagnostics_timer_ = names_.createWallTimer(
-      kDiagnosticsPeriod, [this](const ros::WallTimerEvent&) { diagnostics_.force_update(); });
+      kDiagnosticsPeriod, [this](const ros::WallTimerEvent&) { onDiagnosticsTimer(); });
+}
+
+void PlaceMemoryNode::onDiagnosticsTimer() {
+  diagnostics_.force_update();
+  if (ros::Time::isValid()) return;
+  if (ticks_without_time_++ % kTicksBetweenWarnings == 0) {
+    ROS_WARN("Waiting for simulated time on /clock");  // throttled logging needs a time itself
+  }
 }
 
 void PlaceMemoryNode::stop() { scan_server_.stop(); }
@@ -68,9 +77,7 @@ ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
 void PlaceMemoryNode::dropScan() {
   scan_.drop();
   memory_->forgetPreviousPlace();
-  ROS_WARN(
-      "Time ran backwards: the newest scan is dropped, and the next place will be linked to none; "
-      "all places are kept");
+  ROS_WARN("The newest scan is dropped, and the next place will be linked to none");
 }
 
 }  // namespace place_memory::node

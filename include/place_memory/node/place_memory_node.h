@@ -34,6 +34,7 @@ class PlaceMemoryNode {
   std::unique_ptr<core::PlaceMemory> openMemory();
   ScanServer::Callbacks scanCallbacks();
   void dropScan();
+  void onDiagnosticsTimer();
 
   ros::NodeHandle names_;
   ros::NodeHandle private_names_;
@@ -49,6 +50,7 @@ class PlaceMemoryNode {
   PlaceServices services_;
   diagnostic_updater::Updater diagnostics_;
   ros::WallTimer diagnostics_timer_;
+  int ticks_without_time_ = 0;
 };
 
 }  // namespace place_memory::node

@@ -1,0 +1,264 @@
+#include "place_memory/core/place_store.h"
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <functional>
+#include <iterator>
+
+#include "random_scan.h"
+#include "temporary_folder.h"
+
+namespace place_memory::core {
+namespace {
+
+namespace fs = std::filesystem;
+
+Place makePlace(const std::string& label) {
+  Place place;
+  place.label = label;
+  place.map_from_place = {1.25, -7.5, 0.3};
+  place.learned = std::chrono::nanoseconds(1234567890123456789);
+  return place;
+}
+
+EvidenceGrid makeGrid(unsigned seed) { return makeRandomScan(seed).grid; }
+
+void runSql(const std::string& path, const std::string& sql) {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+      << sqlite3_errmsg(database);
+  sqlite3_close(database);
+}
+
+class PlaceStoreTest : public testing::Test {
+ protected:
+  PlaceStore open() const { return PlaceStore(path_, kDefaultCellSize); }
+
+  // A store of three places in a chain.
+  void fill() const {
+    PlaceStore store = open();
+    const PlaceId a = store.add(makePlace("a"), makeGrid(1), kNoPlace);
+    const PlaceId b = store.add(makePlace("b"), makeGrid(2), a);
+    store.add(makePlace("c"), makeGrid(3), b);
+  }
+
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_.file("places.db");
+};
+
+TEST_F(PlaceStoreTest, GivesBackWhatWasAdded) {
+  PlaceStore store("", kDefaultCellSize);
+  const PlaceId a = store.add(makePlace("a"), makeGrid(1), kNoPlace);
+  const PlaceId b = store.add(makePlace("b"), makeGrid(2), a);
+  const PlaceGraph graph = store.graph();
+  ASSERT_EQ(graph.size(), 2U);
+  const Place& place = *graph.find(a);
+  EXPECT_EQ(place.label, "a");
+  EXPECT_EQ(place.map_from_place.x, 1.25);
+  EXPECT_EQ(place.map_from_place.y, -7.5);
+  EXPECT_EQ(place.map_from_place.yaw, 0.3);
+  EXPECT_EQ(place.learned.count(), 1234567890123456789);
+  EXPECT_EQ(graph.links(), (std::vector<PlaceLink>{{a, b}}));
+  EXPECT_EQ(store.grid(a), makeGrid(1));
+  EXPECT_EQ(store.grid(b), makeGrid(2));
+  EXPECT_THROW(store.grid(99), StoreError);
+}
+
+TEST_F(PlaceStoreTest, ReadsEveryGridInTheOrderOfIds) {
+  fill();
+  std::vector<PlaceId> ids;
+  open().forEachGrid([&ids](PlaceId id, const EvidenceGrid& grid) {
+    ids.push_back(id);
+    EXPECT_EQ(grid, makeGrid(static_cast<unsigned>(ids.size())));
+  });
+  EXPECT_EQ(ids, (std::vector<PlaceId>{1, 2, 3}));
+}
+
+TEST_F(PlaceStoreTest, RenamesRemovesAndClears) {
+  fill();
+  PlaceStore store = open();
+  store.rename(1, "z");
+  store.remove(2);
+  PlaceGraph graph = store.graph();
+  EXPECT_EQ(graph.size(), 2U);
+  EXPECT_EQ(graph.find("z")->id, 1);
+  EXPECT_TRUE(graph.links().empty());
+  EXPECT_THROW(store.grid(2), StoreError);
+  store.clear();
+  EXPECT_EQ(store.graph().size(), 0U);
+  EXPECT_THROW(store.grid(1), StoreError);
+}
+
+TEST_F(PlaceStoreTest, NeverGivesAnIdAgain) {
+  fill();
+  {
+    PlaceStore store = open();
+    store.remove(3);
+    EXPECT_EQ(store.add(makePlace("d"), makeGrid(4), kNoPlace), 4);
+    store.clear();
+  }
+  EXPECT_EQ(open().add(makePlace("e"), makeGrid(5), kNoPlace), 5);
+}
+
+TEST_F(PlaceStoreTest, EveryChangeIsInTheFileWhenTheCallReturns) {
+  PlaceStore store = open();
+  const std::string copy = folder_.file("copy.db");
+  const auto expect_in_file = [&](const std::vector<std::string>& labels) {
+    fs::copy_file(path_, copy, fs::copy_options::overwrite_existing);
+    std::vector<std::string> found;
+    for (const Place& place : PlaceStore(copy, kDefaultCellSize).graph().places()) {
+      found.push_back(place.label);
+    }
+    EXPECT_EQ(found, labels);
+  };
+  store.add(makePlace("a"), makeGrid(1), kNoPlace);
+  expect_in_file({"a"});
+  store.add(makePlace("b"), makeGrid(2), 1);
+  expect_in_file({"a", "b"});
+  store.rename(1, "z");
+  expect_in_file({"z", "b"});
+  store.remove(1);
+  expect_in_file({"b"});
+  store.clear();
+  expect_in_file({});
+}
+
+TEST_F(PlaceStoreTest, AChangeThatFailsHalfWayLeavesNothing) {
+  fill();
+  runSql(path_, "CREATE TRIGGER full BEFORE INSERT ON link BEGIN SELECT RAISE(ABORT, 'full'); END");
+  PlaceStore store = open();
+  EXPECT_THROW(store.add(makePlace("d"), makeGrid(4), 1), StoreError);
+  EXPECT_EQ(store.graph().size(), 3U);
+  EXPECT_THROW(store.grid(4), StoreError);
+  EXPECT_NO_THROW(store.add(makePlace("d"), makeGrid(4), kNoPlace));
+}
+
+TEST_F(PlaceStoreTest, RefusesALabelTwice) {
+  fill();
+  PlaceStore store = open();
+  EXPECT_THROW(store.add(makePlace("a"), makeGrid(4), kNoPlace), StoreError);
+  EXPECT_THROW(store.rename(1, "b"), StoreError);
+  EXPECT_EQ(store.graph().size(), 3U);
+}
+
+TEST_F(PlaceStoreTest, KeepsOneFileOnly) {
+  fill();
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder_.path())) {
+    names.push_back(entry.path().filename().string());
+  }
+  EXPECT_EQ(names, std::vector<std::string>{"places.db"});
+}
+
+TEST_F(PlaceStoreTest, AnUnfinishedNewStoreDoesNotStandInTheWay) {
+  writeFile(path_ + ".new", "cut off");
+  EXPECT_EQ(open().graph().size(), 0U);
+}
+
+TEST_F(PlaceStoreTest, IsHeldByOneAtATime) {
+  const PlaceStore store = open();
+  try {
+    open();
+    FAIL() << "two have the store";
+  } catch (const StoreError& error) {
+    EXPECT_NE(std::string(error.what()).find("in use"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(PlaceStoreTest, TakesACellSizeThatWentThroughText) {
+  fill();
+  EXPECT_NO_THROW(PlaceStore(path_, 0.142875));
+}
+
+// What happened to a good store, and what its refusal says.
+struct Damage {
+  const char* name;
+  std::function<void(const std::string& path)> inflict;
+  const char* message;
+};
+
+void PrintTo(const Damage& damage, std::ostream* out) { *out << damage.name; }
+
+std::function<void(const std::string&)> sql(const std::string& statements) {
+  return [statements](const std::string& path) { runSql(path, statements); };
+}
+
+std::function<void(const std::string&)> cutTo(double share) {
+  return [share](const std::string& path) {
+    const std::string bytes = readFile(path);
+    writeFile(path,
+              bytes.substr(0, static_cast<std::size_t>(share * static_cast<double>(bytes.size()))));
+  };
+}
+
+std::function<void(const std::string&)> replaceBy(const std::string& bytes) {
+  return [bytes](const std::string& path) { writeFile(path, bytes); };
+}
+
+std::function<void(const std::string&)> scribbleAt(std::size_t offset) {
+  return [offset](const std::string& path) {
+    std::string bytes = readFile(path);
+    bytes.replace(offset, 600, 600, '\x5a');
+    writeFile(path, bytes);
+  };
+}
+
+const Damage kDamages[] = {
+    {"Empty", cutTo(0.0), "cut short"},
+    {"CutToHalfAHeader",
+     [](const std::string& path) { writeFile(path, readFile(path).substr(0, 50)); }, "cut short"},
+    {"CutToHalf", cutTo(0.5), "cut short"},
+    {"CutByAByte", cutTo(0.99999), "cut short"},
+    {"Text", replaceBy(std::string(5000, 'x')), "is not a place store"},
+    {"ShortText", replaceBy("label,x,y\n"), "cut short"},
+    {"OtherDatabase", sql("PRAGMA application_id = 7"), "is not a place store"},
+    {"NewerVersion", sql("PRAGMA user_version = 2"), "newer version"},
+    {"ScribbledSchema", scribbleAt(110), "damaged"},
+    {"ScribbledTable", scribbleAt(4096), "damaged"},
+    {"NoTables", sql("DROP TABLE link; DROP TABLE grid; DROP TABLE place"), "no such table"},
+    {"PlaceWithoutGrid", sql("DELETE FROM grid WHERE place_id = 2"), "damaged"},
+    {"GridWithoutPlace", sql("DELETE FROM place WHERE id = 2"), "damaged"},
+    {"LinkToNowhere", sql("INSERT INTO link VALUES(1, 77)"), "damaged"},
+    {"EmptyLabel", sql("UPDATE place SET label = '' WHERE id = 2"), "damaged"},
+    {"ControlCharacterInLabel", sql("UPDATE place SET label = char(7) WHERE id = 2"), "damaged"},
+    {"InfiniteLocation", sql("UPDATE place SET x = 9e999 WHERE id = 2"), "damaged"},
+    {"ShortGrid", sql("UPDATE grid SET cells = x'00' WHERE place_id = 2"), "damaged"},
+    {"GridOfNull", sql("UPDATE grid SET cells = zeroblob(4096) WHERE place_id = 2"), "damaged"},
+    {"OtherCellSize", sql("UPDATE grid SET cell_size = 0.2 WHERE place_id = 2"), "cells of 0.2"},
+};
+
+class DamagedStoreTest : public PlaceStoreTest, public testing::WithParamInterface<Damage> {};
+
+TEST_P(DamagedStoreTest, IsRefusedWithTheReasonAndLeftAsItIs) {
+  fill();
+  GetParam().inflict(path_);
+  const std::string before = readFile(path_);
+  try {
+    const PlaceStore store = open();
+    store.graph();
+    store.forEachGrid([](PlaceId, const EvidenceGrid&) {});
+    FAIL() << "the store was taken";
+  } catch (const StoreError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find(path_), std::string::npos) << message;
+    EXPECT_NE(message.find(GetParam().message), std::string::npos) << message;
+  }
+  EXPECT_EQ(readFile(path_), before);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DamagedStoreTest, testing::ValuesIn(kDamages),
+                         [](const auto& damage) { return std::string(damage.param.name); });
+
+TEST_F(PlaceStoreTest, RefusesAFolder) {
+  EXPECT_THROW(PlaceStore(folder_.path().string(), kDefaultCellSize), StoreError);
+}
+
+TEST_F(PlaceStoreTest, RefusesAFileInAFolderThatIsNotThere) {
+  EXPECT_THROW(PlaceStore(folder_.file("nowhere/places.db"), kDefaultCellSize), StoreError);
+}
+
+}  // namespace
+}  // namespace place_memory::core
