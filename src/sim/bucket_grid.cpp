@@ -29,7 +29,7 @@ BucketGrid::BucketGrid(Vec2 lower, Vec2 upper, double cell_size, const std::vect
          ++r) {
       for (int c = c0; c <= c1; ++c) {
         const Vec2 center = lower_ + Vec2{(c + 0.5) * cell_size_, (r + 0.5) * cell_size_};
-        if (touches(item, center, half_diagonal)) use(static_cast<std::size_t>(r * columns_ + c));
+        if (touches(item, center, half_diagonal)) use(cellIndex(c, r));
       }
     }
   };

@@ -47,8 +47,10 @@ void addWallPosts(BuildingDraft& draft, const Rect& passage) {
   const double radius = uniform(rng, 0.06, 0.2);
   const bool level = passage.width() > passage.height();
   const double length = level ? passage.width() : passage.height();
-  for (double at = uniform(rng, 0.5, spacing); at < length;
-       at += spacing * uniform(rng, 0.6, 1.4)) {
+  double next = uniform(rng, 0.5, spacing);
+  while (next < length) {
+    const double at = next;
+    next += spacing * uniform(rng, 0.6, 1.4);
     const double across = chance(rng, 0.5) ? 0.0 : 1.0;
     const Vec2 center = level ? Vec2{passage.x0 + at, passage.y0 + across * passage.height()}
                               : Vec2{passage.x0 + across * passage.width(), passage.y0 + at};

@@ -25,8 +25,9 @@ std::vector<Vec2> spotsIn(const Scene& scene, const Rect& room, const PlaceSpaci
                           std::max(0.0, 0.5 * cell.y - spacing.clearance)};
   std::vector<Vec2> spots;
   for (int i = 0; i < columns * rows; ++i) {
-    const Vec2 middle{room.x0 + (i % columns + 0.5) * cell.x,
-                      room.y0 + (i / columns + 0.5) * cell.y};
+    const int column = i % columns;
+    const int row = i / columns;
+    const Vec2 middle{room.x0 + (column + 0.5) * cell.x, room.y0 + (row + 0.5) * cell.y};
     for (int attempt = 1; attempt <= kAttempts; ++attempt) {
       const double reach = static_cast<double>(attempt) / kAttempts;
       const Vec2 spot = middle + Vec2{room_to_move.x * uniform(rng, -reach, reach),

@@ -31,7 +31,8 @@ std::vector<core::SonarReading> simulateScan(const Scene& scene, const core::Pos
                                              Crowd* crowd, Rng& rng) {
   static const std::vector<Circle> kNobody;
   std::vector<core::SonarReading> readings;
-  readings.reserve(static_cast<std::size_t>(robot.sweep.headings * robot.ring.count));
+  readings.reserve(static_cast<std::size_t>(robot.sweep.headings) *
+                   static_cast<std::size_t>(robot.ring.count));
   for (int set = 0; set < robot.sweep.headings; ++set) {
     const core::Pose2d turned{base.x, base.y, base.yaw + set * robot.sweep.step};
     const std::vector<double> ranges =

@@ -128,7 +128,7 @@ class WorldParser {
   }
 
   static std::string nameOf(const YamlReader& reader, std::set<std::string>& taken) {
-    const std::string name = reader.text("name");
+    std::string name = reader.text("name");
     if (!taken.insert(name).second) reader.fail("the name '" + name + "' is used twice");
     return name;
   }

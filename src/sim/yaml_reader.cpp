@@ -21,8 +21,8 @@ std::string shown(double value) {
 
 }  // namespace
 
-YamlReader::YamlReader(YAML::Node node, std::string origin, std::string what)
-    : node_(std::move(node)), origin_(std::move(origin)), what_(std::move(what)) {
+YamlReader::YamlReader(const YAML::Node& node, std::string origin, std::string what)
+    : node_(node), origin_(std::move(origin)), what_(std::move(what)) {
   if (!node_.IsMap()) failAt(node_, what_ + " must be a map of keys and values");
 }
 

@@ -15,7 +15,7 @@ namespace place_memory::sim {
 /// else may be there. All errors are WorldErrors that begin with file and line.
 class YamlReader {
  public:
-  YamlReader(YAML::Node node, std::string origin, std::string what);
+  YamlReader(const YAML::Node& node, std::string origin, std::string what);
 
   /// Refuses keys outside `known`.
   void expectOnly(std::initializer_list<const char*> known) const;

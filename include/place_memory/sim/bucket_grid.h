@@ -49,12 +49,16 @@ class BucketGrid {
     const double cell = std::floor((position - lower) / cell_size_);
     return static_cast<int>(std::min(std::max(cell, 0.0), static_cast<double>(count - 1)));
   }
+  std::size_t cellIndex(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
   Axis startAxis(double position, double lower, double direction, int count, double entry) const;
   bool entersAt(Vec2 origin, Vec2 direction, double& entry) const;
 
   template <typename Visit>
   void visitCell(int column, int row, Visit& visit) const {
-    const auto cell = static_cast<std::size_t>(row * columns_ + column);
+    const auto cell = cellIndex(column, row);
     for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) visit(ids_[i]);
   }
 

@@ -30,7 +30,7 @@ inline std::size_t uniformIndex(Rng& rng, std::size_t count) {
 
 /// Uniform in low .. high, both included.
 inline int uniformInt(Rng& rng, int low, int high) {
-  return low + static_cast<int>(uniformIndex(rng, static_cast<std::size_t>(high - low + 1)));
+  return low + static_cast<int>(uniformIndex(rng, static_cast<std::size_t>(high - low) + 1));
 }
 
 inline bool chance(Rng& rng, double probability) { return uniform(rng) < probability; }
