@@ -1,0 +1,246 @@
+#include "place_memory/config/load_parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+
+#include "../core/temporary_folder.h"
+#include "place_memory/config/match_preset.h"
+
+namespace place_memory::config {
+namespace {
+
+const std::string kDefaults = PLACE_MEMORY_SOURCE_DIR "/config/place_memory.yaml";
+
+Parameters parse(const std::string& text) { return parseParameters(YAML::Load(text), "test"); }
+
+std::vector<std::string> problemsOf(const std::string& text) {
+  try {
+    parse(text);
+  } catch (const ParameterError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+void collectNames(const YAML::Node& node, const std::string& name, std::set<std::string>& names) {
+  if (!node.IsMap()) {
+    names.insert(name);
+    return;
+  }
+  for (const auto& item : node) {
+    const std::string prefix = name.empty() ? "" : name + "/";
+    collectNames(item.second, prefix + item.first.as<std::string>(), names);
+  }
+}
+
+void expectSame(const Parameters& a, const Parameters& b) {
+  EXPECT_EQ(a.odom_frame, b.odom_frame);
+  EXPECT_EQ(a.base_frame, b.base_frame);
+  EXPECT_EQ(a.map_frame, b.map_frame);
+  EXPECT_EQ(a.sonar_topics, b.sonar_topics);
+  EXPECT_EQ(a.heading_topic, b.heading_topic);
+  EXPECT_EQ(a.store, b.store);
+  EXPECT_NEAR(a.grid.cell_size, b.grid.cell_size, 1e-9);
+  EXPECT_EQ(a.sonar.prior, b.sonar.prior);
+  EXPECT_EQ(a.sonar.occupied, b.sonar.occupied);
+  EXPECT_EQ(a.sonar.empty, b.sonar.empty);
+  EXPECT_EQ(a.sonar.echo_depth, b.sonar.echo_depth);
+  EXPECT_EQ(a.scan.headings, b.scan.headings);
+  EXPECT_NEAR(a.scan.step, b.scan.step, 1e-6);
+  EXPECT_EQ(a.scan.turn, b.scan.turn);
+  EXPECT_EQ(a.scan.turn_rate, b.scan.turn_rate);
+  EXPECT_EQ(a.scan.timeout, b.scan.timeout);
+  EXPECT_EQ(a.scan.min_readings, b.scan.min_readings);
+  EXPECT_EQ(a.scan.tf_timeout, b.scan.tf_timeout);
+  EXPECT_EQ(a.scan.heading_timeout, b.scan.heading_timeout);
+  EXPECT_EQ(a.scan.over_range_is_no_echo, b.scan.over_range_is_no_echo);
+  EXPECT_EQ(a.match.preset, b.match.preset);
+  EXPECT_EQ(a.match.recognizer.method, b.match.recognizer.method);
+  EXPECT_EQ(a.match.recognizer.position_window, b.match.recognizer.position_window);
+  EXPECT_EQ(a.match.recognizer.confidence, b.match.recognizer.confidence);
+  EXPECT_EQ(a.match.recognizer.weights, b.match.recognizer.weights);
+  EXPECT_NEAR(a.match.heading_window, b.match.heading_window, 1e-6);
+}
+
+TEST(LoadParameters, FileOfDefaultsHoldsTheDefaults) {
+  const Parameters defaults = loadParameters({});
+  expectSame(loadParameters({kDefaults}), defaults);
+
+  // Those of the struct, but for the preset, which only the parser loads.
+  Parameters bare;
+  bare.match.recognizer.weights = loadPreset("evidence").weights;
+  expectSame(defaults, bare);
+}
+
+TEST(LoadParameters, FileOfDefaultsHasEveryParameter) {
+  std::set<std::string> in_file;
+  collectNames(YAML::LoadFile(kDefaults), "", in_file);
+  EXPECT_EQ(in_file, parameterNames());
+}
+
+TEST(LoadParameters, TakesGivenValuesAndLeavesTheOthers) {
+  const Parameters p = parse(R"(
+odom_frame: ""
+sonar_topics: [front, /robot/rear]
+grid: {cell_size: 0.06}
+scan: {headings: 73, turn: cmd_vel, over_range_is_no_echo: true}
+match: {preset: paper, method: nearest_neighbour}
+)");
+  EXPECT_EQ(p.odom_frame, "");
+  EXPECT_EQ(p.sonar_topics, (std::vector<std::string>{"front", "/robot/rear"}));
+  EXPECT_EQ(p.grid.cell_size, 0.06);
+  EXPECT_EQ(p.scan.headings, 73);
+  EXPECT_EQ(p.scan.turn, Turn::kCmdVel);
+  EXPECT_TRUE(p.scan.over_range_is_no_echo);
+  EXPECT_EQ(p.match.recognizer.method, core::SearchMethod::kNearestNeighbour);
+  EXPECT_EQ(p.match.recognizer.weights, core::kPaperWeights);
+  EXPECT_EQ(p.base_frame, "base_link");
+  EXPECT_EQ(p.scan.min_readings, Parameters().scan.min_readings);
+}
+
+TEST(LoadParameters, LaterFilesWin) {
+  const TemporaryFolder folder;
+  writeFile(folder.file("a"), "grid: {cell_size: 0.1}\nscan: {headings: 5, min_readings: 3}\n");
+  writeFile(folder.file("b"), "scan: {headings: 7}\n");
+  const Parameters p = loadParameters({folder.file("a"), folder.file("b")});
+  EXPECT_EQ(p.grid.cell_size, 0.1);
+  EXPECT_EQ(p.scan.headings, 7);
+  EXPECT_EQ(p.scan.min_readings, 3);
+}
+
+TEST(LoadParameters, EmptyFilesAndSectionsChangeNothing) {
+  EXPECT_NO_THROW(expectSame(parse(""), parse("scan:\nmatch:\n")));
+}
+
+TEST(LoadParameters, ListsEveryProblemAtOnce) {
+  const auto problems = problemsOf(
+      "grid: {cell_size: -1}\nscan: {headings: many, stepp: 0.1}\nmatch: {preset: "
+      "/no/such/file}\n");
+  EXPECT_EQ(problems.size(), 4U);
+}
+
+TEST(LoadParameters, UnreadableFilesAreNamed) {
+  const TemporaryFolder folder;
+  const std::string broken = folder.file("broken");
+  writeFile(broken, "scan: [");
+  try {
+    loadParameters({"/no/such/file.yaml", broken});
+    FAIL() << "expected a ParameterError";
+  } catch (const ParameterError& error) {
+    ASSERT_EQ(error.problems().size(), 2U);
+    EXPECT_NE(error.problems()[0].find("/no/such/file.yaml"), std::string::npos);
+    EXPECT_NE(error.problems()[1].find(broken), std::string::npos);
+  }
+}
+
+struct Malformed {
+  const char* text;
+  const char* problem;  // part of it
+};
+
+std::ostream& operator<<(std::ostream& out, const Malformed& m) { return out << m.text; }
+
+class MalformedParameter : public testing::TestWithParam<Malformed> {};
+
+TEST_P(MalformedParameter, IsNamedWithWhatIsWrong) {
+  const auto problems = problemsOf(GetParam().text);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_NE(problems[0].find(GetParam().problem), std::string::npos) << problems[0];
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    LoadParameters, MalformedParameter,
+    testing::Values(
+        Malformed{"[1, 2]", "must be a table of parameters, not a list"},
+        Malformed{"cell_size: 0.1", "cell_size (test): is not a parameter"},
+        Malformed{"grid: {size: 64}", "grid/size (test): is not a parameter"},
+        Malformed{"grid: 0.1", "grid (test): is a table of parameters, not '0.1'"},
+        Malformed{"grid: {cell_size: {x: 1}}", "grid/cell_size/x (test): is not a parameter"},
+        Malformed{"grid: {cell_size: 0.1, cell_size: 0.2}",
+                  "grid/cell_size (test): is given twice"},
+        Malformed{"grid: {cell_size: small}", "must be a number, not 'small'"},
+        Malformed{"grid: {cell_size: \"0.1\"}", "must be a number, not '0.1'"},
+        Malformed{"grid: {cell_size: [0.1]}", "must be a number, not a list"},
+        Malformed{"grid: {cell_size: }", "must be a number, not nothing"},
+        Malformed{"grid: {cell_size: .nan}", "must be in [0.001, 100], not '.nan'"},
+        Malformed{"grid: {cell_size: .inf}", "must be in [0.001, 100], not '.inf'"},
+        Malformed{"grid: {cell_size: 0}", "must be in [0.001, 100], not '0'"},
+        Malformed{"sonar: {prior: 0}", "must be in (0, 1)"},
+        Malformed{"sonar: {prior: 0.8}", "sonar: must be ascending"},
+        Malformed{"sonar: {occupied: 1}", "must be in (0, 1)"},
+        Malformed{"sonar: {empty: 0.5}", "sonar: must be ascending"},
+        Malformed{"sonar: {echo_depth: 0.4}", "must be in [0.5, 8]"},
+        Malformed{"scan: {headings: 0}", "must be in [1, 3600]"},
+        Malformed{"scan: {headings: 3601}", "must be in [1, 3600]"},
+        Malformed{"scan: {headings: 2.5}", "must be a whole number, not '2.5'"},
+        Malformed{"scan: {step: 0.0}", "must be in (0, 3.14159]"},
+        Malformed{"scan: {step: 3.2}", "must be in (0, 3.14159]"},
+        Malformed{"scan: {turn: left}", "must be one of listen, cmd_vel, not 'left'"},
+        Malformed{"scan: {turn: true}", "must be a text, not 'true'"},
+        Malformed{"scan: {turn_rate: -0.2}", "must be in (0, 3.14159]"},
+        Malformed{"scan: {timeout: 0}", "must be in (0, 3600]"},
+        Malformed{"scan: {min_readings: 0}", "must be in [1, 100000]"},
+        Malformed{"scan: {tf_timeout: -0.1}", "must be in [0, 10]"},
+        Malformed{"scan: {heading_timeout: 0}", "must be in (0, 3600]"},
+        Malformed{"scan: {over_range_is_no_echo: 1}", "must be true or false, not '1'"},
+        Malformed{"match: {preset: /no/such/file}", "must be evidence, paper or the path"},
+        Malformed{"match: {preset: 1}", "must be a text"},
+        Malformed{"match: {method: guess}", "must be one of nearest_neighbour, hill_climbing"},
+        Malformed{"match: {position_window: 0}", "must be in (0, 100]"},
+        Malformed{"match: {heading_window: 3.2}", "must be in [0, 3.14159]"},
+        Malformed{"match: {confidence: 0.5}", "must be in (0.5, 1)"},
+        Malformed{"base_frame: ''", "must not be empty"},
+        Malformed{"base_frame: /base_link", "must not begin with a slash"},
+        Malformed{"odom_frame: base_link", "must not be the same frame"},
+        Malformed{"map_frame: 5", "must be a text, not '5'"},
+        Malformed{"sonar_topics: sonar", "must be a list of one text or more"},
+        Malformed{"sonar_topics: []", "must be a list of one text or more"},
+        Malformed{"sonar_topics: [sonar, 5]", "must be a list of texts"},
+        Malformed{"sonar_topics: [so nar]", "must consist of letters"},
+        Malformed{"sonar_topics: ['']", "must not be empty"},
+        Malformed{"heading_topic: 0heading", "must begin with a letter"},
+        Malformed{"store: [a]", "must be a text, not a list"}));
+
+TEST(MatchPreset, PaperIsOnePointForEachPairOfTheSameClass) {
+  EXPECT_EQ(loadPreset("paper").weights, core::kPaperWeights);
+}
+
+TEST(MatchPreset, BuiltInPresetsAreTheFiles) {
+  for (const std::string name : {"evidence", "paper"}) {
+    const MatchPreset file =
+        loadPreset(PLACE_MEMORY_SOURCE_DIR "/config/presets/" + name + ".yaml");
+    const MatchPreset built_in = loadPreset(name);
+    EXPECT_EQ(built_in.weights, file.weights) << name;
+    EXPECT_EQ(built_in.calibration.scale, file.calibration.scale) << name;
+    EXPECT_EQ(built_in.calibration.stranger, file.calibration.stranger) << name;
+  }
+}
+
+class MalformedPreset : public testing::TestWithParam<const char*> {};
+
+TEST_P(MalformedPreset, IsRefused) {
+  const TemporaryFolder folder;
+  writeFile(folder.file("preset"), GetParam());
+  EXPECT_THROW(loadPreset(folder.file("preset")), ParameterError);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    MatchPreset, MalformedPreset,
+    testing::Values("", "[", "evidence", "weights: 1", "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
+                    "calibration: {scale: 0.1, stranger: 1}",
+                    "weights: [[1, 0, 0], [0, 1, 0]]\ncalibration: {scale: 0.1, stranger: 1}",
+                    "weights: [[1, 0], [0, 1], [0, 0]]\ncalibration: {scale: 0.1, stranger: 1}",
+                    "weights: [[1, 0, x], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1, stranger: 1}",
+                    "weights: [[1, 0, .nan], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1, stranger: 1}",
+                    "weights: [[1, 0, 2000], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1, stranger: 1}",
+                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0, stranger: 1}",
+                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1, strangers: 1}"));
+
+}  // namespace
+}  // namespace place_memory::config
