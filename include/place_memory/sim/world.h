@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_SIM_WORLD_H
 #define PLACE_MEMORY_SIM_WORLD_H
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
