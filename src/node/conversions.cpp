@@ -25,7 +25,8 @@ class CellValues {
 
  private:
   static std::size_t index(int evidence) {
-    return static_cast<std::size_t>(evidence + core::EvidenceGrid::kLimit);
+    const int from_least = evidence + core::EvidenceGrid::kLimit;
+    return static_cast<std::size_t>(from_least);
   }
 
   std::array<std::int8_t, 2 * core::EvidenceGrid::kLimit + 1> values_{};
