@@ -17,6 +17,10 @@ double evidenceOf(double probability, double prior) {
          (std::log(probability / (1.0 - probability)) - std::log(prior / (1.0 - prior)));
 }
 
+/// Least half width of a cone [cells]: half a cell's diagonal, since a line that passes a cell
+/// comes that near to its centre.
+constexpr double kLeastHalfWidth = 0.70710678;
+
 struct Span {
   int first;
   int last;
@@ -68,7 +72,8 @@ void SonarModel::add(const SonarReading& reading, EvidenceGrid& grid) const {
       if (along < 0.0) continue;
       const double across = std::abs(cosine * dy - sine * dx);
       const double distance = std::hypot(along, across);
-      const double half_width = std::max(distance * sine_half, 0.5 * geometry.cell_size);
+      const double half_width =
+          std::max(distance * sine_half, kLeastHalfWidth * geometry.cell_size);
       if (across >= half_width || distance > reach) continue;
       const double on_axis = angle_profile_[static_cast<std::size_t>(across / half_width * kBins)];
       const double from_echo = distance - range;
