@@ -27,6 +27,11 @@ SearchWindow searchWindow(double position_window, double heading_window, double 
   return window;
 }
 
+bool sensedNothing(const EvidenceGrid& grid) {
+  return std::all_of(grid.cells().begin(), grid.cells().end(),
+                     [](std::int8_t evidence) { return evidence == 0; });
+}
+
 /// Probabilities and verdict from the ranked scores.
 void judge(const RecognizerOptions& options, Recognition& recognition) {
   if (recognition.matches.empty()) return;
@@ -83,7 +88,8 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
   if (best == nullptr) return recognition;
   std::stable_sort(recognition.matches.begin(), recognition.matches.end(),
                    [](const PlaceMatch& a, const PlaceMatch& b) { return a.score > b.score; });
-  judge(options_, recognition);
+  // Unsensed cells may earn points, so scores alone do not tell such a scan from a good one.
+  if (!sensedNothing(scan.grid)) judge(options_, recognition);
   recognition.map_from_robot =
       best->map_from_place * recognition.matches.front().place_from_scan * scan.robot_in_scan;
   const double position_variance = cell_size * cell_size;

@@ -15,7 +15,8 @@ class Recognizer {
   /// Throws std::invalid_argument naming the option that is out of range.
   explicit Recognizer(const RecognizerOptions& options);
 
-  /// Ranks every place of the index. `heading_window` is how far the compass may be off, in [0, pi]
+  /// Ranks every place of the index. A scan that sensed nothing is UNKNOWN, and no place probable,
+  /// whatever the scores. `heading_window` is how far the compass may be off, in [0, pi]
   /// [rad]; pi stands for any heading. `cancelled`, where given, is polled between blocks of
   /// places; once it returns true the call throws std::runtime_error. Throws std::invalid_argument
   /// where the window is out of range. Thread-safe.
