@@ -1,0 +1,269 @@
+#include "place_memory/core/query_planes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "place_memory/core/pose2d.h"
+
+namespace place_memory::core {
+namespace {
+
+struct NamedGrid {
+  std::string name;
+  EvidenceGrid grid;
+};
+
+NamedGrid gridFrom(const std::string& name, const std::function<int(int row, int column)>& cell) {
+  NamedGrid named{name, EvidenceGrid()};
+  for (int row = 0; row < kGridSize; ++row) {
+    for (int column = 0; column < kGridSize; ++column)
+      named.grid.add(row, column, cell(row, column));
+  }
+  return named;
+}
+
+NamedGrid randomGrid(unsigned seed) {
+  std::mt19937 engine(seed);
+  std::uniform_int_distribution<int> evidence(-2, 2);
+  return gridFrom("random " + std::to_string(seed),
+                  [&](int, int) { return evidence(engine) * (engine() % 2 == 0 ? 1 : 60); });
+}
+
+NamedGrid singleCell(int at_row, int at_column, int evidence) {
+  return gridFrom(
+      "single " + std::to_string(at_row) + "," + std::to_string(at_column),
+      [=](int row, int column) { return row == at_row && column == at_column ? evidence : 0; });
+}
+
+std::vector<NamedGrid> grids() {
+  return {randomGrid(1),
+          randomGrid(2),
+          gridFrom("unsensed", [](int, int) { return 0; }),
+          gridFrom("occupied", [](int, int) { return 127; }),
+          gridFrom("empty", [](int, int) { return -1; }),
+          gridFrom("checkerboard", [](int r, int c) { return (r + c) % 2 == 0 ? 1 : -1; }),
+          singleCell(0, 0, 1),
+          singleCell(63, 0, -127),
+          singleCell(0, 63, 127),
+          singleCell(63, 63, -1),
+          singleCell(20, 41, 5)};
+}
+
+bool bit(const BitPlane& plane, int row, int column) {
+  return (plane[static_cast<std::size_t>(row)] >> column & 1) != 0;
+}
+
+/// Class of a cell of a plane pair; a cell may not be both.
+CellClass classOf(const CellPlanes& planes, int row, int column) {
+  const bool occupied = bit(planes.occupied, row, column);
+  const bool empty = bit(planes.empty, row, column);
+  EXPECT_FALSE(occupied && empty) << row << ", " << column;
+  if (occupied) return CellClass::kOccupied;
+  return empty ? CellClass::kEmpty : CellClass::kUnsensed;
+}
+
+CellClass classOf(int evidence) {
+  if (evidence > 0) return CellClass::kOccupied;
+  return evidence < 0 ? CellClass::kEmpty : CellClass::kUnsensed;
+}
+
+constexpr CellClass kClasses[] = {CellClass::kEmpty, CellClass::kUnsensed, CellClass::kOccupied};
+static_assert(kCellClasses == 3, "the oracle counts three classes");
+
+/// One pair after the other: every cell of the turned grid, moved by the shift.
+PairCounts naiveCounts(const TurnedPlanes& turned, CellShift shift, const EvidenceGrid& learned) {
+  PairCounts counts{};
+  for (int row = 0; row < kGridSize; ++row) {
+    for (int column = 0; column < kGridSize; ++column) {
+      const int to_row = row + shift.rows;
+      const int to_column = column + shift.columns;
+      if (to_row < 0 || to_row >= kGridSize || to_column < 0 || to_column >= kGridSize) continue;
+      if (!bit(turned.inside, row, column)) continue;
+      const auto r = static_cast<std::size_t>(classOf(turned.cells, row, column));
+      const auto l = static_cast<std::size_t>(classOf(learned.at(to_row, to_column)));
+      ++counts[r][l];
+    }
+  }
+  return counts;
+}
+
+int correspondingCells(const TurnedPlanes& turned, CellShift shift) {
+  int cells = 0;
+  for (int row = 0; row < kGridSize; ++row) {
+    for (int column = 0; column < kGridSize; ++column) {
+      const int to_row = row + shift.rows;
+      const int to_column = column + shift.columns;
+      const bool within =
+          to_row >= 0 && to_row < kGridSize && to_column >= 0 && to_column < kGridSize;
+      if (within && bit(turned.inside, row, column)) ++cells;
+    }
+  }
+  return cells;
+}
+
+int sum(const PairCounts& counts) {
+  int all = 0;
+  for (const auto& row : counts) {
+    for (const int count : row) all += count;
+  }
+  return all;
+}
+
+std::vector<CellShift> sampledShifts() {
+  std::vector<CellShift> shifts;
+  for (const int rows : {-63, -32, -1, 0, 1, 31, 63}) {
+    for (const int columns : {-63, -33, -1, 0, 1, 32, 63}) shifts.push_back({columns, rows});
+  }
+  std::mt19937 engine(3);
+  std::uniform_int_distribution<int> cells(-63, 63);
+  for (int i = 0; i < 12; ++i) shifts.push_back({cells(engine), cells(engine)});
+  return shifts;
+}
+
+TEST(CellPlanes, ClassesFollowTheSignOfTheEvidence) {
+  for (const NamedGrid& named : grids()) {
+    const CellPlanes planes(named.grid);
+    for (int row = 0; row < kGridSize; ++row) {
+      for (int column = 0; column < kGridSize; ++column) {
+        ASSERT_EQ(classOf(planes, row, column), classOf(named.grid.at(row, column))) << named.name;
+      }
+    }
+  }
+}
+
+TEST(TurnedPlanes, NoTurnChangesNothing) {
+  for (const NamedGrid& named : grids()) {
+    const CellPlanes planes(named.grid);
+    const TurnedPlanes turned(planes, 0.0);
+    EXPECT_EQ(turned.cells.occupied, planes.occupied) << named.name;
+    EXPECT_EQ(turned.cells.empty, planes.empty) << named.name;
+    for (const std::uint64_t row : turned.inside) EXPECT_EQ(row, ~std::uint64_t{0});
+  }
+}
+
+TEST(TurnedPlanes, AQuarterTurnIsExactAndCounterClockwise) {
+  const NamedGrid named = randomGrid(7);
+  const CellPlanes planes(named.grid);
+  const TurnedPlanes turned(planes, 0.5 * kPi);
+  for (int row = 0; row < kGridSize; ++row) {
+    for (int column = 0; column < kGridSize; ++column) {
+      // (x, y) goes to (-y, x): the column of a cell becomes its row.
+      EXPECT_EQ(classOf(turned.cells, column, kGridSize - 1 - row), classOf(planes, row, column));
+      EXPECT_TRUE(bit(turned.inside, row, column));
+    }
+  }
+}
+
+TEST(TurnedPlanes, TakeEachCellFromWhereItLayInMetres) {
+  const GridGeometry geometry{0.25};
+  for (const NamedGrid& named : {randomGrid(4), grids()[5], singleCell(20, 41, 5)}) {
+    const CellPlanes planes(named.grid);
+    for (int step = -13; step <= 13; ++step) {
+      const double angle = 0.2417 * step;
+      const TurnedPlanes turned(planes, angle);
+      for (int row = 0; row < kGridSize; ++row) {
+        for (int column = 0; column < kGridSize; ++column) {
+          const Pose2d at{geometry.centre(column), geometry.centre(row), 0.0};
+          const Pose2d was = Pose2d{0.0, 0.0, angle}.inverse() * at;
+          const int from_row = geometry.index(was.y);
+          const int from_column = geometry.index(was.x);
+          const bool inside =
+              from_row >= 0 && from_row < kGridSize && from_column >= 0 && from_column < kGridSize;
+          ASSERT_EQ(bit(turned.inside, row, column), inside) << named.name << ", " << angle;
+          ASSERT_EQ(classOf(turned.cells, row, column),
+                    inside ? classOf(planes, from_row, from_column) : CellClass::kUnsensed)
+              << named.name << ", " << angle << " rad, " << row << ", " << column;
+        }
+      }
+    }
+  }
+}
+
+TEST(CountPairs, EqualsTheCountCellByCell) {
+  const std::vector<NamedGrid> all = grids();
+  const std::vector<CellShift> shifts = sampledShifts();
+  std::size_t first = 0;  // every grid meets every other at a third of the shifts
+  for (const NamedGrid& recognition : all) {
+    const CellPlanes planes(recognition.grid);
+    for (const double angle : {0.0, 0.1, -0.4, 0.25 * kPi, 0.5 * kPi, 2.0, -3.1, kPi}) {
+      const TurnedPlanes turned(planes, angle);
+      for (const NamedGrid& learned : all) {
+        const CellPlanes learned_planes(learned.grid);
+        first = (first + 1) % 3;
+        for (std::size_t i = first; i < shifts.size(); i += 3) {
+          const PairCounts counts = countPairs(turned, shifts[i], learned_planes);
+          ASSERT_EQ(counts, naiveCounts(turned, shifts[i], learned.grid))
+              << recognition.name << " on " << learned.name << ", " << angle << " rad, "
+              << shifts[i].columns << " columns, " << shifts[i].rows << " rows";
+          ASSERT_EQ(sum(counts), correspondingCells(turned, shifts[i]));
+        }
+      }
+    }
+  }
+}
+
+TEST(CountPairs, EveryShiftOfRandomGrids) {
+  const NamedGrid learned = randomGrid(9);
+  const CellPlanes learned_planes(learned.grid);
+  const TurnedPlanes turned(CellPlanes(randomGrid(8).grid), 0.3);
+  for (int rows = -63; rows <= 63; rows += 6) {
+    for (int columns = -63; columns <= 63; ++columns) {
+      const CellShift shift{columns, rows};
+      ASSERT_EQ(countPairs(turned, shift, learned_planes), naiveCounts(turned, shift, learned.grid))
+          << columns << " columns, " << rows << " rows";
+    }
+  }
+}
+
+TEST(CountPairs, EachPairOfClassesHasItsPlace) {
+  for (const CellClass recognition : kClasses) {
+    for (const CellClass learned : kClasses) {
+      const auto evidence = [](CellClass c) { return static_cast<int>(c) - 1; };
+      const NamedGrid a = gridFrom("a", [&](int, int) { return evidence(recognition); });
+      const NamedGrid b = gridFrom("b", [&](int, int) { return evidence(learned); });
+      const PairCounts counts =
+          countPairs(TurnedPlanes(CellPlanes(a.grid), 0.0), {1, -2}, CellPlanes(b.grid));
+      EXPECT_EQ(counts[static_cast<std::size_t>(recognition)][static_cast<std::size_t>(learned)],
+                63 * 62);
+      EXPECT_EQ(sum(counts), 63 * 62);
+    }
+  }
+}
+
+TEST(PairScore, ThePapersWeightsGiveAPointForEachPairOfTheSameClass) {
+  EXPECT_DOUBLE_EQ(pairScore({{{5, 1, 1}, {1, 7, 1}, {1, 1, 11}}}, kPaperWeights), 23.0);
+}
+
+TEST(PairScore, EachCountHasItsOwnWeight) {
+  const PairWeights weights{{{1.0, 10.0, 100.0}, {0.5, -2.0, 3.0}, {-7.0, 0.25, 1000.0}}};
+  EXPECT_DOUBLE_EQ(pairScore({{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}}, weights),
+                   321.0 + 2.0 - 10.0 + 18.0 - 49.0 + 2.0 + 9000.0);
+}
+
+TEST(QueryPlanes, HoldTheGridAtEveryHeading) {
+  const NamedGrid named = randomGrid(6);
+  const QueryPlanes query(named.grid, 0.1, 7);
+  EXPECT_EQ(query.turns(), 7);
+  EXPECT_DOUBLE_EQ(query.headingStep(), 0.1);
+  for (int turn = -7; turn <= 7; ++turn) {
+    const TurnedPlanes expected(CellPlanes(named.grid), turn * 0.1);
+    EXPECT_EQ(query.at(turn).inside, expected.inside) << turn;
+    EXPECT_EQ(query.at(turn).cells.occupied, expected.cells.occupied) << turn;
+    EXPECT_EQ(query.at(turn).cells.empty, expected.cells.empty) << turn;
+  }
+}
+
+TEST(QueryPlanes, NoTurnsHoldTheGridAsItIs) {
+  const NamedGrid named = randomGrid(6);
+  const QueryPlanes query(named.grid, 0.1, 0);
+  EXPECT_EQ(query.turns(), 0);
+  EXPECT_EQ(query.at(0).cells.occupied, CellPlanes(named.grid).occupied);
+}
+
+}  // namespace
+}  // namespace place_memory::core
