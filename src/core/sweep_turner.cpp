@@ -8,9 +8,9 @@
 namespace place_memory::core {
 namespace {
 
-constexpr double kGain = 2.0;             // rate for an error [1/s]
+constexpr double kGain = 4.0;             // rate for an error [1/s]
 constexpr double kLeastRate = 0.1;        // share of the top rate at which a robot still turns
-constexpr double kTolerance = kPi / 360;  // half a degree
+constexpr double kTolerance = kPi / 720;  // a quarter of a degree
 
 }  // namespace
 
@@ -18,7 +18,7 @@ SweepTurner::SweepTurner(int headings, double step, double max_rate)
     : headings_(headings),
       step_(step),
       max_rate_(max_rate),
-      tolerance_(std::min(kTolerance, 0.25 * step)) {
+      tolerance_(std::min(kTolerance, 0.1 * step)) {
   const bool full_turn = headings * step > 2.0 * kPi - 0.5 * step;
   first_ = full_turn ? 0.0 : -0.5 * step * (headings - 1);
 }

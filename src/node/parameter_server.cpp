@@ -54,7 +54,10 @@ YAML::Node toYaml(const XmlRpc::XmlRpcValue& value) {
       return quoted(static_cast<std::string>(copy));
     case XmlRpc::XmlRpcValue::TypeArray:
       node = YAML::Node(YAML::NodeType::Sequence);
-      for (int i = 0; i < copy.size(); ++i) node.push_back(toYaml(copy[i]));
+      // begin() and end() of an XmlRpcValue are those of a struct.
+      for (int i = 0; i < copy.size(); ++i) {  // NOLINT(modernize-loop-convert)
+        node.push_back(toYaml(copy[i]));
+      }
       return node;
     case XmlRpc::XmlRpcValue::TypeStruct:
       node = YAML::Node(YAML::NodeType::Map);

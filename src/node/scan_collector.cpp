@@ -292,7 +292,9 @@ ScanOutcome ScanCollector::tooFew() const {
   std::ostringstream text;
   text << placed_.size() << " readings can be used, " << parameters_.scan.min_readings
        << " are needed (scan/min_readings)" << rejectedInWords();
-  if (*most == 0) text << "; is anything published on " << joined(parameters_.sonar_topics) << "?";
+  if (placed_.empty() && *most == 0) {
+    text << "; is anything published on " << joined(parameters_.sonar_topics) << "?";
+  }
   if (!scan_problem_.empty()) text << "; " << scan_problem_;
   return {status, text.str(), nullptr};
 }

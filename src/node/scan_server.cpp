@@ -42,8 +42,8 @@ ScanServer::ScanServer(const ros::NodeHandle& names, const ros::NodeHandle& priv
   command_publisher_ = names_.advertise<geometry_msgs::Twist>(kCommandTopic, 1);
 
   server_ = std::make_unique<Server>(private_names_, kScanAction, false);
-  server_->registerGoalCallback([this] { onGoal(); });
-  server_->registerPreemptCallback([this] { onPreempt(); });
+  server_->registerGoalCallback([this](const Server::GoalHandle& goal) { onGoal(goal); });
+  server_->registerCancelCallback([this](const Server::GoalHandle& goal) { onCancel(goal); });
   for (const std::string& topic : parameters_.sonar_topics) {
     subscribers_.push_back(names_.subscribe(topic, kQueueLength, &ScanServer::onRange, this));
   }
@@ -68,6 +68,7 @@ void ScanServer::stop() {
     end({ScanStatus::kShutdown, "the node was stopped", nullptr}, ros::Time::now());
     kLastMessages.sleep();
   }
+  goal_ = Server::GoalHandle();
   server_.reset();
   queue_.clear();
 }
@@ -86,26 +87,25 @@ void ScanServer::onHeading(const sensor_msgs::Imu::ConstPtr& message) {
   collector_.addHeading(*message, ros::Time::now());
 }
 
-void ScanServer::onGoal() {
-  const auto goal = server_->acceptNewGoal();
-  if (!goal) return;
+void ScanServer::onGoal(const Server::GoalHandle& goal) {
+  if (sweep_) end({ScanStatus::kCanceled, "a newer goal came", nullptr}, ros::Time::now());
+  goal_ = goal;
+  goal_.setAccepted();
   sweep_.emplace();
   clock_ = ros::Time::now();
   clock_changed_ = ros::WallTime::now();
   std::string problem;
-  const auto request = readGoal(*goal, parameters_.scan, problem);
+  const auto request = readGoal(*goal_.getGoal(), parameters_.scan, problem);
   if (!request) {
     end({ScanStatus::kInvalidGoal, problem, nullptr}, clock_);
     return;
   }
   sweep_->request = *request;
-  if (server_->isPreemptRequested()) onPreempt();
 }
 
-void ScanServer::onPreempt() {
-  if (!sweep_) return;
-  const char* why = server_->isNewGoalAvailable() ? "a newer goal came" : "it was canceled";
-  end({ScanStatus::kCanceled, why, nullptr}, ros::Time::now());
+void ScanServer::onCancel(const Server::GoalHandle& goal) {
+  if (!sweep_ || goal != goal_) return;
+  end({ScanStatus::kCanceled, "it was canceled", nullptr}, ros::Time::now());
 }
 
 void ScanServer::update(const ros::WallTimerEvent& /*event*/) {
@@ -257,7 +257,7 @@ void ScanServer::report(const ros::Time& now) {
       feedback.readings = static_cast<std::uint32_t>(collector_.readings());
       feedback.rejected = toMessage(collector_.rejected());
     }
-    server_->publishFeedback(feedback);
+    goal_.publishFeedback(feedback);
   }
   if (callbacks_.partial && wall - last_partial_ >= kPartialPeriod && collector_.collecting()) {
     last_partial_ = wall;
@@ -272,7 +272,7 @@ void ScanServer::end(const ScanOutcome& outcome, const ros::Time& now) {
   ScanPlaceResult result;
   result.status = static_cast<std::uint8_t>(outcome.status);
   result.message = outcome.message;
-  if (outcome.scan) result.readings = static_cast<std::uint32_t>(outcome.scan->readings.size());
+  result.readings = static_cast<std::uint32_t>(collector_.readings());
   result.rejected = toMessage(collector_.rejected());
   if (collector_.collecting()) {
     result.headings = static_cast<std::uint32_t>(collector_.coverage().headings());
@@ -284,11 +284,11 @@ void ScanServer::end(const ScanOutcome& outcome, const ros::Time& now) {
 
   if (outcome.scan) {
     if (callbacks_.finished) callbacks_.finished(outcome.scan);
-    server_->setSucceeded(result, result.message);
+    goal_.setSucceeded(result, result.message);
   } else if (outcome.status == ScanStatus::kCanceled) {
-    server_->setPreempted(result, result.message);
+    goal_.setCanceled(result, result.message);
   } else {
-    server_->setAborted(result, result.message);
+    goal_.setAborted(result, result.message);
   }
 }
 

@@ -24,7 +24,7 @@ struct ScanOptions {
   Turn turn = Turn::kListen;
   double turn_rate = 0.2;  ///< [rad/s]
   double timeout = 60.0;   ///< [s]
-  int min_readings = 16;
+  int min_readings = 8;
   double tf_timeout = 0.5;       ///< [s]
   double heading_timeout = 1.0;  ///< [s]
   bool over_range_is_no_echo = false;

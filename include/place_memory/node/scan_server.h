@@ -1,7 +1,7 @@
 #ifndef PLACE_MEMORY_NODE_SCAN_SERVER_H
 #define PLACE_MEMORY_NODE_SCAN_SERVER_H
 
-#include <actionlib/server/simple_action_server.h>
+#include <actionlib/server/action_server.h>
 #include <place_memory/ScanPlaceAction.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -20,6 +20,15 @@
 #include "place_memory/node/scan_goal.h"
 
 namespace place_memory::node {
+
+/// The scan that a goal asked for.
+struct Sweep {
+  ScanRequest request;
+  ros::Time started;  // 0 until simulated time runs
+  std::optional<core::SweepTurner> turner;
+  std::size_t readings = 0;  // used when last_reading was
+  ros::Time last_reading;
+};
 
 /// The action ~scan, and the subscriptions it needs.
 ///
@@ -53,18 +62,11 @@ class ScanServer {
   std::map<std::string, SensorHealth> health() const;
 
  private:
-  using Server = actionlib::SimpleActionServer<ScanPlaceAction>;
+  // Not the simple one: after time ran backwards that refuses every goal until time has caught up.
+  using Server = actionlib::ActionServer<ScanPlaceAction>;
 
-  struct Sweep {
-    ScanRequest request;
-    ros::Time started;  // 0 until simulated time runs
-    std::optional<core::SweepTurner> turner;
-    std::size_t readings = 0;  // used when last_reading was
-    ros::Time last_reading;
-  };
-
-  void onGoal();
-  void onPreempt();
+  void onGoal(const Server::GoalHandle& goal);
+  void onCancel(const Server::GoalHandle& goal);
   void onRange(const sensor_msgs::Range::ConstPtr& message);
   void onHeading(const sensor_msgs::Imu::ConstPtr& message);
 
@@ -98,6 +100,7 @@ class ScanServer {
   ros::NodeHandle private_names_;
   ros::Publisher command_publisher_;
   std::unique_ptr<Server> server_;
+  Server::GoalHandle goal_;  // of sweep_
   std::vector<ros::Subscriber> subscribers_;
   ros::WallTimer timer_;
   std::unique_ptr<ros::AsyncSpinner> spinner_;
