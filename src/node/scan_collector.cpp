@@ -5,17 +5,12 @@
 #include <sstream>
 #include <utility>
 
+#include "place_memory/core/odometry_jump.h"
 #include "place_memory/node/heading_check.h"
 #include "place_memory/node/sensor_placement.h"
 
 namespace place_memory::node {
 namespace {
-
-// Odometry moves no further between two readings than a fast robot and its noise do.
-constexpr double kJumpDistance = 0.3;  // [m]
-constexpr double kJumpYaw = 0.35;      // [rad]
-constexpr double kTopSpeed = 3.0;      // [m/s]
-constexpr double kTopTurnRate = 6.3;   // [rad/s]
 
 // A sonar that looks up or down more steeply says nothing about the plane.
 constexpr double kLeastLevel = 0.1;
@@ -190,10 +185,8 @@ void ScanCollector::use(const std::string& frame, const Placed& reading) {
 bool ScanCollector::jumped(const Placed& reading) const {
   if (placed_.empty()) return false;
   const Placed& last = placed_.back();
-  const double dt = std::abs((reading.stamp - last.stamp).toSec());
-  const double moved = std::hypot(reading.base.x - last.base.x, reading.base.y - last.base.y);
-  const double turned = std::abs(core::wrapAngle(reading.base.yaw - last.base.yaw));
-  return moved > kJumpDistance + kTopSpeed * dt || turned > kJumpYaw + kTopTurnRate * dt;
+  return core::odometryJumped(last.base, reading.base,
+                              std::abs((reading.stamp - last.stamp).toSec()));
 }
 
 void ScanCollector::process(const ros::Time& now) {
@@ -277,8 +270,7 @@ ScanOutcome ScanCollector::outcome(const ros::Time& end) const {
             nullptr};
   }
   std::ostringstream text;
-  text << placed_.size() << " readings at " << coverage_->headings() << " headings"
-       << rejectedInWords();
+  text << placed_.size() << " readings at " << coverage_->headings() << " headings" << leftOut();
   return {ScanStatus::kSucceeded, text.str(), std::make_shared<const core::Scan>(std::move(*scan))};
 }
 
@@ -291,7 +283,7 @@ ScanOutcome ScanCollector::tooFew() const {
 
   std::ostringstream text;
   text << placed_.size() << " readings can be used, " << parameters_.scan.min_readings
-       << " are needed (scan/min_readings)" << rejectedInWords();
+       << " are needed (scan/min_readings)" << leftOut();
   if (placed_.empty() && *most == 0) {
     text << "; is anything published on " << joined(parameters_.sonar_topics) << "?";
   }
@@ -299,13 +291,9 @@ ScanOutcome ScanCollector::tooFew() const {
   return {status, text.str(), nullptr};
 }
 
-std::string ScanCollector::rejectedInWords() const {
-  std::vector<std::string> words;
-  for (std::size_t i = 0; i < kRejects; ++i) {
-    if (rejected_[i] == 0) continue;
-    words.push_back(std::to_string(rejected_[i]) + " " + toString(static_cast<Reject>(i)));
-  }
-  return words.empty() ? std::string() : "; left out: " + joined(words);
+std::string ScanCollector::leftOut() const {
+  const std::string words = inWords(rejected_);
+  return words.empty() ? words : "; left out: " + words;
 }
 
 std::string ScanCollector::takeProblem() { return std::exchange(problem_, {}); }

@@ -216,14 +216,9 @@ std::optional<double> ScanServer::yawNow(const ros::Time& now) const {
     stamp.fromNSec(static_cast<std::uint64_t>(newest->stamp.count()));
     yaw = newest->yaw;
   } else {
-    try {
-      const auto transform =
-          buffer_.lookupTransform(parameters_.odom_frame, parameters_.base_frame, ros::Time(0));
-      stamp = transform.header.stamp;
-      yaw = planar(transform.transform).pose.yaw;
-    } catch (const tf2::TransformException&) {
-      return std::nullopt;
-    }
+    const auto base = lookupNewest(buffer_, parameters_.odom_frame, parameters_.base_frame, stamp);
+    if (!base) return std::nullopt;
+    yaw = base->pose.yaw;
   }
   if (now - stamp > ros::Duration(parameters_.scan.heading_timeout)) return std::nullopt;
   return yaw;

@@ -2,6 +2,16 @@
 
 namespace place_memory::node {
 
+std::string inWords(const RejectCounts& rejected) {
+  std::string text;
+  for (std::size_t i = 0; i < kRejects; ++i) {
+    if (rejected[i] == 0) continue;
+    if (!text.empty()) text += ", ";
+    text += std::to_string(rejected[i]) + ' ' + toString(static_cast<Reject>(i));
+  }
+  return text;
+}
+
 SensorHealth& SensorHealthTable::find(const std::string& frame) {
   const auto known = sensors_.find(frame);
   if (known != sensors_.end()) return known->second;

@@ -18,4 +18,15 @@ std::optional<PlanarPose> lookupPlanar(const tf2::BufferCore& buffer, const std:
   return std::nullopt;
 }
 
+std::optional<PlanarPose> lookupNewest(const tf2::BufferCore& buffer, const std::string& target,
+                                       const std::string& source, ros::Time& stamp) {
+  try {
+    const auto found = buffer.lookupTransform(target, source, ros::Time(0));
+    stamp = found.header.stamp;
+    return planar(found.transform);
+  } catch (const tf2::TransformException&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace place_memory::node

@@ -1,7 +1,6 @@
 #include "place_memory/node/sonar_diagnostics.h"
 
 #include <numeric>
-#include <sstream>
 
 namespace place_memory::node {
 namespace {
@@ -23,16 +22,6 @@ void summarize(const std::string& frame, const SensorHealth& sensor, const ros::
   }
 }
 
-std::string inWords(const SensorHealth& sensor) {
-  std::ostringstream text;
-  text << sensor.messages << " messages";
-  for (std::size_t i = 0; i < kRejects; ++i) {
-    if (sensor.rejected[i] == 0) continue;
-    text << ", " << sensor.rejected[i] << ' ' << toString(static_cast<Reject>(i));
-  }
-  return text.str();
-}
-
 }  // namespace
 
 void diagnoseSonars(const std::map<std::string, SensorHealth>& sensors, const ros::Time& now,
@@ -41,7 +30,9 @@ void diagnoseSonars(const std::map<std::string, SensorHealth>& sensors, const ro
   if (sensors.empty()) status.summary(Level::WARN, "no sensor has sent a reading");
   for (const auto& [frame, sensor] : sensors) {
     summarize(frame, sensor, now, status);
-    status.add(frame, inWords(sensor));
+    const std::string rejected = inWords(sensor.rejected);
+    status.add(frame, std::to_string(sensor.messages) + " messages" +
+                          (rejected.empty() ? "" : ", " + rejected));
   }
 }
 

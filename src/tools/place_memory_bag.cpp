@@ -75,6 +75,8 @@ void process(const Arguments& arguments) {
   core::PlaceMemory memory(memoryOptions(parameters, arguments.store));
   std::ofstream table(arguments.out);
   writeHeader(table);
+  table.flush();
+  if (!table) throw std::runtime_error("cannot write the results " + arguments.out);
 
   std::size_t failed = 0;
   ProgressBar bar(events.size(), std::cerr);

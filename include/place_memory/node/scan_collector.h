@@ -106,7 +106,7 @@ class ScanCollector {
   void processHeadings(const ros::Time& now);
   std::optional<double> compassMinusFixed() const;
   ScanOutcome tooFew() const;
-  std::string rejectedInWords() const;
+  std::string leftOut() const;
 
   const config::Parameters& parameters_;
   const tf2::BufferCore& buffer_;

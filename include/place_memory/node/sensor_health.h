@@ -14,6 +14,9 @@ namespace place_memory::node {
 
 using RejectCounts = std::array<std::uint32_t, kRejects>;
 
+/// The counts that are not 0, e.g. "2 no stamp, 1 no heading"; empty where all are.
+std::string inWords(const RejectCounts& rejected);
+
 /// What came of one sensor's messages since the node started.
 struct SensorHealth {
   std::uint64_t messages = 0;

@@ -17,6 +17,10 @@ std::optional<PlanarPose> lookupPlanar(const tf2::BufferCore& buffer, const std:
                                        const std::string& source, const ros::Time& stamp,
                                        std::string& problem);
 
+/// The newest there is, and its stamp; nothing where tf knows none.
+std::optional<PlanarPose> lookupNewest(const tf2::BufferCore& buffer, const std::string& target,
+                                       const std::string& source, ros::Time& stamp);
+
 }  // namespace place_memory::node
 
 #endif  // PLACE_MEMORY_NODE_SENSOR_PLACEMENT_H
