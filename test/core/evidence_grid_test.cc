@@ -7,6 +7,10 @@
 namespace place_memory::core {
 namespace {
 
+std::size_t offset(int row, int column) {
+  return static_cast<std::size_t>(row) * kGridSize + static_cast<std::size_t>(column);
+}
+
 TEST(EvidenceGrid, StartsAtThePrior) {
   const EvidenceGrid grid;
   EXPECT_DOUBLE_EQ(grid.geometry().cell_size, 30.0 * 0.3048 / 64.0);
@@ -31,15 +35,15 @@ TEST(EvidenceGrid, EveryCellHasItsOwnByte) {
   for (int row = 0; row < kGridSize; ++row) {
     for (int column = 0; column < kGridSize; ++column) {
       const int value = evidence(engine);
-      expected[static_cast<std::size_t>(row * kGridSize + column)] = value;
+      expected[offset(row, column)] = value;
       grid.add(row, column, value);
     }
   }
   for (int row = 0; row < kGridSize; ++row) {
     for (int column = 0; column < kGridSize; ++column) {
-      const auto offset = static_cast<std::size_t>(row * kGridSize + column);
-      ASSERT_EQ(grid.at(row, column), expected[offset]);
-      ASSERT_EQ(grid.cells()[offset], expected[offset]);
+      const std::size_t at = offset(row, column);
+      ASSERT_EQ(grid.at(row, column), expected[at]);
+      ASSERT_EQ(grid.cells()[at], expected[at]);
     }
   }
 }

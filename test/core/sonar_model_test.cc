@@ -28,6 +28,14 @@ EvidenceGrid gridOf(const SonarReading& single, double cell_size = kCell) {
   return SonarModel(SonarModelOptions{}).build({single}, GridGeometry{cell_size});
 }
 
+/// Values a step apart, from the first to the last.
+std::vector<double> every(double step, double first, double last) {
+  std::vector<double> values;
+  const int steps = static_cast<int>(std::lround((last - first) / step));
+  for (int i = 0; i <= steps; ++i) values.push_back(first + i * step);
+  return values;
+}
+
 int evidenceAt(const EvidenceGrid& grid, double x, double y) {
   return grid.at(grid.geometry().index(y), grid.geometry().index(x));
 }
@@ -84,11 +92,11 @@ TEST(SonarModel, AWallIsOccupiedAtTheEchoEmptyBeforeItAndUnknownBehind) {
   const EvidenceGrid grid = gridOf(wall);
   expectOnlyTheConeTouched(grid, wall);
   for (const double y : {-0.05, 0.05}) {
-    for (double x = 0.25; x < 1.3; x += kCell) EXPECT_LT(evidenceAt(grid, x, y), 0) << x;
+    for (const double x : every(kCell, 0.25, 1.25)) EXPECT_LT(evidenceAt(grid, x, y), 0) << x;
     EXPECT_GT(evidenceAt(grid, 1.45, y), 0);
     EXPECT_GT(evidenceAt(grid, 1.55, y), 0);
-    for (double x = 1.75; x < 3.2; x += kCell) EXPECT_EQ(evidenceAt(grid, x, y), 0) << x;
-    for (double x = -0.05; x > -3.2; x -= kCell) EXPECT_EQ(evidenceAt(grid, x, y), 0) << x;
+    for (const double x : every(kCell, 1.75, 3.15)) EXPECT_EQ(evidenceAt(grid, x, y), 0) << x;
+    for (const double x : every(kCell, -3.15, -0.05)) EXPECT_EQ(evidenceAt(grid, x, y), 0) << x;
   }
 }
 
@@ -96,14 +104,14 @@ TEST(SonarModel, NoEchoClearsToTheMaximumRangeAndMarksNothing) {
   const SonarReading open = reading({}, kNoEcho);
   const EvidenceGrid grid = gridOf(open);
   expectOnlyTheConeTouched(grid, open);
-  for (double x = 0.25; x < 2.45; x += kCell) EXPECT_LT(evidenceAt(grid, x, 0.05), 0) << x;
+  for (const double x : every(kCell, 0.25, 2.35)) EXPECT_LT(evidenceAt(grid, x, 0.05), 0) << x;
   EXPECT_EQ(evidenceAt(grid, 2.65, 0.05), 0);
   for (const std::int8_t cell : grid.cells()) EXPECT_LE(cell, 0);
 }
 
 TEST(SonarModel, EvidenceIsStrongestOnTheAxisAndFadesTowardsTheEdge) {
   const EvidenceGrid grid = gridOf(reading({0.0, 0.05, 0.0}, 2.0, 60.0 * kDegree));
-  for (double y = 0.05; y < 1.2; y += kCell) {
+  for (const double y : every(kCell, 0.05, 1.15)) {
     EXPECT_LE(evidenceAt(grid, 1.25, y), evidenceAt(grid, 1.25, y + kCell)) << y;
   }
   EXPECT_LT(evidenceAt(grid, 1.25, 0.05), evidenceAt(grid, 1.25, 0.65));
@@ -175,7 +183,7 @@ TEST(SonarModel, AConeNarrowerThanACellLeavesAnUnbrokenRay) {
     for (int i = 0; i < 72; ++i) {
       const Pose2d sensor{offset, -offset, i * 5.0 * kDegree};
       const EvidenceGrid grid = gridOf(reading(sensor, 2.0, 0.1 * kDegree));
-      for (double along = 0.2; along < 1.8; along += 0.5 * kCell) {
+      for (const double along : every(0.5 * kCell, 0.2, 1.75)) {
         EXPECT_TRUE(hasEmptyCellNear(grid, sensor * Pose2d{along, 0.0, 0.0}))
             << "yaw " << sensor.yaw << ", " << along << " m";
       }
