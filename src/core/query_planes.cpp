@@ -3,17 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pair_kernel.h"
+
 namespace place_memory::core {
-namespace {
-
-int popcount(std::uint64_t word) { return __builtin_popcountll(word); }
-
-std::uint64_t shifted(std::uint64_t row, int columns) {
-  return columns >= 0 ? row << columns : row >> -columns;
-}
-
-}  // namespace
-
 TurnedPlanes::TurnedPlanes(const CellPlanes& grid, double angle) {
   constexpr double kMiddle = 0.5 * (kGridSize - 1);
   const double c = std::cos(angle);
@@ -36,32 +28,21 @@ TurnedPlanes::TurnedPlanes(const CellPlanes& grid, double angle) {
 }
 
 PairCounts countPairs(const TurnedPlanes& recognition, CellShift shift, const CellPlanes& learned) {
-  int inside = 0, occupied = 0, empty = 0, on_occupied = 0, on_empty = 0;
-  int occupied_occupied = 0, occupied_empty = 0, empty_occupied = 0, empty_empty = 0;
   const int first = std::max(0, shift.rows);
   const int last = std::min(kGridSize, kGridSize + shift.rows);
-  for (int row = first; row < last; ++row) {
-    const auto from = static_cast<std::size_t>(row - shift.rows);
-    const auto to = static_cast<std::size_t>(row);
-    const std::uint64_t i = shifted(recognition.inside[from], shift.columns);
-    const std::uint64_t o = shifted(recognition.cells.occupied[from], shift.columns);
-    const std::uint64_t e = shifted(recognition.cells.empty[from], shift.columns);
-    inside += popcount(i);
-    occupied += popcount(o);
-    empty += popcount(e);
-    on_occupied += popcount(i & learned.occupied[to]);
-    on_empty += popcount(i & learned.empty[to]);
-    occupied_occupied += popcount(o & learned.occupied[to]);
-    occupied_empty += popcount(o & learned.empty[to]);
-    empty_occupied += popcount(e & learned.occupied[to]);
-    empty_empty += popcount(e & learned.empty[to]);
-  }
-  const int unsensed = inside - occupied - empty;
-  const int unsensed_occupied = on_occupied - occupied_occupied - empty_occupied;
-  const int unsensed_empty = on_empty - occupied_empty - empty_empty;
-  return {{{empty_empty, empty - empty_empty - empty_occupied, empty_occupied},
-           {unsensed_empty, unsensed - unsensed_empty - unsensed_occupied, unsensed_occupied},
-           {occupied_empty, occupied - occupied_empty - occupied_occupied, occupied_occupied}}};
+  const int from = first - shift.rows;
+  const PlaneCounts n =
+      countPlanes({recognition.inside.data() + from, recognition.cells.occupied.data() + from,
+                   recognition.cells.empty.data() + from, learned.occupied.data() + first,
+                   learned.empty.data() + first, last - first, shift.columns});
+  const auto count = [](std::uint64_t cells) { return static_cast<int>(cells); };
+  const int oo = count(n.occupied_occupied), oe = count(n.occupied_empty);
+  const int eo = count(n.empty_occupied), ee = count(n.empty_empty);
+  const int occupied = count(n.occupied), empty = count(n.empty);
+  const int unsensed = count(n.inside) - occupied - empty;
+  const int uo = count(n.inside_occupied) - oo - eo;
+  const int ue = count(n.inside_empty) - oe - ee;
+  return {{{ee, empty - ee - eo, eo}, {ue, unsensed - ue - uo, uo}, {oe, occupied - oe - oo, oo}}};
 }
 
 QueryPlanes::QueryPlanes(const EvidenceGrid& grid, double heading_step, int turns)

@@ -8,6 +8,9 @@
 namespace place_memory::core {
 namespace {
 
+/// Width of the arc up to which an echo gives a cell all its evidence [cells].
+constexpr double kSureArc = 3.0;
+
 void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(std::string("sonar model: ") + what);
 }
@@ -59,6 +62,9 @@ void SonarModel::add(const SonarReading& reading, EvidenceGrid& grid) const {
   const double depth = options_.echo_depth * geometry.cell_size;
   const double reach = echo ? range + depth : range;
   const double sine_half = std::sin(0.5 * reading.spec.field_of_view);
+  // An echo came from somewhere along the arc: the wider that is, the less it says of each cell.
+  const double arc = 2.0 * range * sine_half / (kSureArc * geometry.cell_size);
+  const double echo_evidence = occupied_evidence_ / std::sqrt(std::max(arc, 1.0));
   const double cosine = std::cos(reading.sensor_pose.yaw);
   const double sine = std::sin(reading.sensor_pose.yaw);
   const Span rows = spanAround(geometry, reading.sensor_pose.y, reach);
@@ -80,7 +86,7 @@ void SonarModel::add(const SonarReading& reading, EvidenceGrid& grid) const {
       double evidence = 0.0;
       if (echo && from_echo > -depth) {
         const double share = std::min(std::abs(from_echo) / depth, 1.0);
-        evidence = occupied_evidence_ * echo_profile_[static_cast<std::size_t>(share * kBins)];
+        evidence = echo_evidence * echo_profile_[static_cast<std::size_t>(share * kBins)];
       } else {
         evidence = empty_evidence_;
       }

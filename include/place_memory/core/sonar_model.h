@@ -21,8 +21,9 @@ struct SonarModelOptions {
 ///
 /// Evidence is strongest on the axis and fades towards the cone's edge as 1 - (angle / half
 /// angle)^2. Cells before the echo become emptier, those within echo_depth of it more occupied,
-/// those behind it are left alone. A cone that is narrower than a cell still touches the cells it
-/// passes.
+/// those behind it are left alone. Where the arc of the echo is wider than three cells, its
+/// evidence falls with the root of the width. A cone that is narrower than a cell still touches the
+/// cells it passes.
 class SonarModel {
  public:
   /// Throws std::invalid_argument naming the option that is out of range.

@@ -1,0 +1,69 @@
+#include "pair_kernel.h"
+
+namespace place_memory::core {
+namespace {
+
+std::uint64_t popcount(std::uint64_t word) {
+  return static_cast<std::uint64_t>(__builtin_popcountll(word));
+}
+
+/// One source for every instruction set: the compiler makes vectors of it where it may use them.
+template <bool kLeft>
+[[gnu::always_inline]] inline PlaneCounts countRows(const RowPairs& pairs) {
+  PlaneCounts n{};
+  const int by = kLeft ? pairs.columns : -pairs.columns;
+  for (int row = 0; row < pairs.rows; ++row) {
+    const std::uint64_t i = kLeft ? pairs.inside[row] << by : pairs.inside[row] >> by;
+    const std::uint64_t o = kLeft ? pairs.occupied[row] << by : pairs.occupied[row] >> by;
+    const std::uint64_t e = kLeft ? pairs.empty[row] << by : pairs.empty[row] >> by;
+    const std::uint64_t learned_o = pairs.learned_occupied[row];
+    const std::uint64_t learned_e = pairs.learned_empty[row];
+    n.inside += popcount(i);
+    n.occupied += popcount(o);
+    n.empty += popcount(e);
+    n.inside_occupied += popcount(i & learned_o);
+    n.inside_empty += popcount(i & learned_e);
+    n.occupied_occupied += popcount(o & learned_o);
+    n.occupied_empty += popcount(o & learned_e);
+    n.empty_occupied += popcount(e & learned_o);
+    n.empty_empty += popcount(e & learned_e);
+  }
+  return n;
+}
+
+[[gnu::always_inline]] inline PlaneCounts countBody(const RowPairs& pairs) {
+  return pairs.columns >= 0 ? countRows<true>(pairs) : countRows<false>(pairs);
+}
+
+PlaneCounts countPortable(const RowPairs& pairs) { return countBody(pairs); }
+
+#if defined(__x86_64__)
+[[gnu::target("popcnt")]] PlaneCounts countPopcnt(const RowPairs& pairs) {
+  return countBody(pairs);
+}
+
+[[gnu::target("avx512f,avx512vpopcntdq,popcnt"), gnu::optimize("O3")]] PlaneCounts countAvx512(
+    const RowPairs& pairs) {
+  return countBody(pairs);
+}
+#endif
+
+using Kernel = PlaneCounts (*)(const RowPairs&);
+
+Kernel fastestKernel() {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx512vpopcntdq")) return countAvx512;
+  if (__builtin_cpu_supports("popcnt")) return countPopcnt;
+#endif
+  return countPortable;
+}
+
+}  // namespace
+
+PlaneCounts countPlanes(const RowPairs& pairs) {
+  static const Kernel kernel = fastestKernel();
+  return kernel(pairs);
+}
+
+}  // namespace place_memory::core

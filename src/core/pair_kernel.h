@@ -1,0 +1,32 @@
+#ifndef PLACE_MEMORY_CORE_PAIR_KERNEL_H
+#define PLACE_MEMORY_CORE_PAIR_KERNEL_H
+
+#include <cstdint>
+
+namespace place_memory::core {
+
+/// Rows of the planes that two grids share, the recognition grid's before it is shifted.
+struct RowPairs {
+  const std::uint64_t* inside;
+  const std::uint64_t* occupied;
+  const std::uint64_t* empty;
+  const std::uint64_t* learned_occupied;
+  const std::uint64_t* learned_empty;
+  int rows;
+  int columns;  ///< shift along x, in [-63, 63]
+};
+
+/// Cells set in the recognition grid's planes, and in their intersections with the learned ones.
+struct PlaneCounts {
+  std::uint64_t inside, occupied, empty;
+  std::uint64_t inside_occupied, inside_empty;
+  std::uint64_t occupied_occupied, occupied_empty;
+  std::uint64_t empty_occupied, empty_empty;
+};
+
+/// The same counts on every machine; as fast as its vector unit allows.
+PlaneCounts countPlanes(const RowPairs& pairs);
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_PAIR_KERNEL_H
