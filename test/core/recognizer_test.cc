@@ -3,19 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "random_room.h"
 
 namespace place_memory::core {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kWindow = 0.35;  ///< of headings [rad]
 constexpr double kStep = 3.0 * kPi / 180.0;
 constexpr SearchMethod kMethods[] = {SearchMethod::kNearestNeighbour, SearchMethod::kHillClimbing,
@@ -294,72 +288,6 @@ TEST(Recognizer, TheOrderOfLearningDoesNotMatter) {
   const Scan scan = scanIn(3, {0.4, -0.5, 0.2});
   expectSame(recognizer.recognize(scan, rooms(8), kWindow),
              recognizer.recognize(scan, backwards, kWindow));
-}
-
-TEST(Recognizer, StopsWhenItIsCancelled) {
-  const Recognizer recognizer(usualOptions());
-  const Scan scan = scanIn(1, {});
-  EXPECT_THROW(recognizer.recognize(scan, rooms(3), kWindow, [] { return true; }),
-               std::runtime_error);
-  EXPECT_NO_THROW(recognizer.recognize(scan, rooms(3), kWindow, [] { return false; }));
-}
-
-TEST(Recognizer, StopsBetweenTheBlocksOfALongIndex) {
-  PlaceIndex places;
-  const EvidenceGrid grid = scanIn(1, {}).grid;
-  for (PlaceId id = 1; id <= 3 * static_cast<PlaceId>(PlaceIndex::kBlockSize); ++id) {
-    places.put(id, {}, grid);
-  }
-  int polls = 0;
-  const auto second_time = [&polls] { return ++polls == 2; };
-  EXPECT_THROW(Recognizer(optionsWith(SearchMethod::kNearestNeighbour))
-                   .recognize(scanIn(1, {}), places, kWindow, second_time),
-               std::runtime_error);
-}
-
-TEST(Recognizer, AHeadingWindowOutOfRangeIsRefused) {
-  const Recognizer recognizer(usualOptions());
-  const PlaceIndex places = rooms(1);
-  for (const double window : {-1e-3, -kPi, 1.01 * kPi, 360.0, kInfinity, -kInfinity, kNan}) {
-    try {
-      recognizer.recognize(Scan(), places, window);
-      ADD_FAILURE() << window << " was taken";
-    } catch (const std::invalid_argument& error) {
-      EXPECT_NE(std::string(error.what()).find("heading_window"), std::string::npos)
-          << error.what();
-    }
-  }
-  EXPECT_NO_THROW(recognizer.recognize(Scan(), places, 0.0));
-  EXPECT_NO_THROW(recognizer.recognize(Scan(), places, kPi));
-}
-
-struct BadOption {
-  const char* name;
-  double RecognizerOptions::*option;
-  double value;
-};
-
-TEST(Recognizer, ABadOptionIsNamed) {
-  const BadOption cases[] = {
-      {"position_window", &RecognizerOptions::position_window, 0.0},
-      {"position_window", &RecognizerOptions::position_window, -1.0},
-      {"position_window", &RecognizerOptions::position_window, kInfinity},
-      {"position_window", &RecognizerOptions::position_window, kNan},
-      {"confidence", &RecognizerOptions::confidence, 0.5},
-      {"confidence", &RecognizerOptions::confidence, 1.0},
-      {"confidence", &RecognizerOptions::confidence, -0.8},
-      {"confidence", &RecognizerOptions::confidence, kNan},
-  };
-  for (const BadOption& bad : cases) {
-    RecognizerOptions options = usualOptions();
-    options.*bad.option = bad.value;
-    try {
-      const Recognizer recognizer(options);
-      ADD_FAILURE() << bad.name << " = " << bad.value << " was taken";
-    } catch (const std::invalid_argument& error) {
-      EXPECT_NE(std::string(error.what()).find(bad.name), std::string::npos) << error.what();
-    }
-  }
 }
 
 }  // namespace
