@@ -79,7 +79,7 @@ void process(const Arguments& arguments) {
   if (!table) throw std::runtime_error("cannot write the results " + arguments.out);
 
   std::size_t failed = 0;
-  ProgressBar bar(events.size(), std::cerr);
+  ProgressBar bar(events.size(), "events", std::cerr);
   for (std::size_t i = 0; i < events.size() && table; ++i) {
     bar.show(i);
     const node::ScanOutcome outcome = scanner.scan(events[i].start, events[i].end);

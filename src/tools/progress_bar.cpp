@@ -10,7 +10,7 @@ constexpr std::size_t kWidth = 40;
 void ProgressBar::show(std::size_t done) {
   const std::size_t filled = total_ == 0 ? kWidth : kWidth * done / total_;
   drawn_ = '[' + std::string(filled, '=') + std::string(kWidth - filled, ' ') + "] " +
-           std::to_string(done) + '/' + std::to_string(total_) + " events";
+           std::to_string(done) + '/' + std::to_string(total_) + ' ' + unit_;
   output_ << '\r' << drawn_ << std::flush;
 }
 

@@ -4,13 +4,16 @@
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <utility>
 
 namespace place_memory::tools {
 
 /// One line that is drawn over and over.
 class ProgressBar {
  public:
-  ProgressBar(std::size_t total, std::ostream& output) : total_(total), output_(output) {}
+  /// `unit` names what is counted, as "events".
+  ProgressBar(std::size_t total, std::string unit, std::ostream& output)
+      : total_(total), unit_(std::move(unit)), output_(output) {}
 
   void show(std::size_t done);
   /// Writes a line above the bar.
@@ -19,6 +22,7 @@ class ProgressBar {
 
  private:
   std::size_t total_;
+  std::string unit_;
   std::ostream& output_;
   std::string drawn_;
 };

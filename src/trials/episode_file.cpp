@@ -29,8 +29,8 @@ std::vector<core::SonarReading> readingsOf(const json& line, double heading) {
     const double turn = entry.at(2);
     const core::Pose2d base{0.0, 0.0, heading + turn};
     const core::Pose2d sensor{radius * std::cos(bearing), radius * std::sin(bearing), bearing};
-    const double range = entry.at(3).is_null() ? std::numeric_limits<double>::infinity()
-                                               : entry.at(3).get<double>();
+    const double range =
+        entry.at(3).is_null() ? std::numeric_limits<double>::infinity() : entry.at(3).get<double>();
     if (std::isfinite(range) && (range < spec.min_range || range > spec.max_range)) continue;
     readings.push_back({base * sensor, spec, range});
   }

@@ -9,11 +9,11 @@ namespace place_memory::trials {
 
 /// Reads recorded scans: JSON lines, gzipped where the name ends in .gz, one scan a line, with
 ///   role "learn" or "recognize"; place, its label, for a learn line; accept, the labels that are
-///   right, for a recognize line; pose [x m, y m, yaw rad] of the base in the map as the scan began;
-///   compass, its error [rad]; any_heading, true where the compass says nothing; ring_radius [m];
-///   fov [rad], r_min, r_max [m] of every sensor; cell, the cell size that suits it [m];
-///   readings, each [set, bearing of the sensor rad, turn of the base since the start rad, range m or
-///   null for no echo]. Ranges outside [r_min, r_max] are left out.
+///   right, for a recognize line; pose [x m, y m, yaw rad] of the base in the map as the scan
+///   began; compass, its error [rad]; any_heading, true where the compass says nothing; ring_radius
+///   [m]; fov [rad], r_min, r_max [m] of every sensor; cell, the cell size that suits it [m];
+///   readings, each [set, bearing of the sensor rad, turn of the base since the start rad, range m
+///   or null for no echo]. Ranges outside [r_min, r_max] are left out.
 /// Throws std::runtime_error naming the file, the line and what is wrong with it.
 TrialSet readEpisodeFile(const std::string& path);
 

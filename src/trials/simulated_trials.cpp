@@ -133,12 +133,16 @@ class Simulation {
 
   std::vector<core::SonarReading> scan(const sim::World& world, const sim::Scene& scene,
                                        const Pose2d& base, double error, Rng& rng) const {
-    std::vector<core::SonarReading> readings;
+    std::optional<sim::Crowd> crowd;
     if (recipe_.people > 0) {
-      sim::Crowd crowd = sim::Crowd::passing(world, {base.x, base.y}, recipe_.people, rng);
-      readings = sim::simulateScan(scene, base, error, robot_, &crowd, rng);
+      crowd = sim::Crowd::passing(world, {base.x, base.y}, recipe_.people, rng);
+    }
+    std::vector<core::SonarReading> readings;
+    if (recipe_.laser) {
+      const std::vector<sim::Circle> people = crowd ? crowd->circles() : std::vector<sim::Circle>();
+      readings = sim::simulateLaserScan(scene, people, base, error, *recipe_.laser, rng);
     } else {
-      readings = sim::simulateScan(scene, base, error, robot_, nullptr, rng);
+      readings = sim::simulateScan(scene, base, error, robot_, crowd ? &*crowd : nullptr, rng);
     }
     const auto lost = [&](const core::SonarReading&) {
       return sim::chance(rng, recipe_.readings_lost);

@@ -1,0 +1,222 @@
+// Runs the paper's experiments and the studies beside them on simulated worlds.
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <sstream>
+
+#include "experiments/answer_table.h"
+#include "experiments/figures.h"
+#include "experiments/runner.h"
+#include "experiments/summary_table.h"
+#include "progress_bar.h"
+
+namespace place_memory::experiments {
+namespace {
+
+struct Arguments {
+  std::string out;
+  std::string worlds;
+  std::vector<std::string> experiments;
+  std::vector<std::string> sweeps;
+  std::vector<std::string> methods;
+  std::vector<std::string> params;
+  std::string preset;
+  std::vector<std::string> recorded;
+  bool figures = false;
+  RunOptions run;
+};
+
+/// Words between commas; `all` stands for `everything`, `none` for nothing.
+std::vector<std::string> words(const std::string& text,
+                               const std::vector<std::string>& everything) {
+  if (text == "all") return everything;
+  std::vector<std::string> found;
+  if (text == "none") return found;
+  std::istringstream input(text);
+  for (std::string word; std::getline(input, word, ',');) {
+    if (!everything.empty() &&
+        std::find(everything.begin(), everything.end(), word) == everything.end()) {
+      throw std::runtime_error("'" + word + "' is not one of those to choose from");
+    }
+    found.push_back(word);
+  }
+  return found;
+}
+
+// Nothing where help was asked for, which is then printed.
+std::optional<Arguments> readArguments(int argc, char** argv) {
+  namespace po = boost::program_options;
+  const std::vector<std::string> all_experiments = {"1", "2", "3", "4", "5", "buildings"};
+  Arguments arguments;
+  RunOptions& run = arguments.run;
+  std::string experiments;
+  std::string sweeps;
+  std::string methods;
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("help,h", "show this text");
+  add("out", po::value(&arguments.out)->required(),
+      "folder to write to; made where it is not there");
+  add("worlds", po::value(&arguments.worlds)->default_value("config/worlds"),
+      "folder of rooms.yaml, office.yaml and hallway.yaml");
+  add("experiments", po::value(&experiments)->default_value("all"),
+      "all, none, or of 1,2,3,4,5,buildings");
+  add("sweeps", po::value(&sweeps)->default_value("none"),
+      "all, none, or of chairs,shift,heading_error,cell_size,places,sonars,readings_lost");
+  add("methods", po::value(&methods)->default_value("all"),
+      "all, or of nearest_neighbour,hill_climbing,hill_climbing_restarts,default,"
+      "default_single_climb,default_exhaustive,hill_climbing_laser,default_laser");
+  add("recorded", po::value(&arguments.recorded)->composing(),
+      "recorded scans, JSON lines, .gz or not: one more row each");
+  add("figures", po::bool_switch(&arguments.figures), "write the grids and maps of the figures");
+  add("seeds", po::value(&run.seeds)->default_value(run.seeds), "simulated worlds of each row");
+  add("first-seed", po::value(&run.first_seed)->default_value(run.first_seed),
+      "fitting uses those below 1000");
+  add("slow-seeds", po::value(&run.slow_seeds)->default_value(run.slow_seeds),
+      "how many of them exhaustive search is run on");
+  add("threads", po::value(&run.threads)->default_value(run.threads),
+      "results do not depend on it");
+  add("params", po::value(&arguments.params)->composing(),
+      "parameters of the default method, laid out as config/place_memory.yaml; where several files "
+      "give one, the last holds");
+  add("preset", po::value(&arguments.preset),
+      "match/preset of the default method: evidence, paper or a file");
+  po::variables_map given;
+  po::store(po::command_line_parser(argc, argv).options(options).run(), given);
+  if (given.count("help") > 0) {
+    std::cout << "usage: place_memory_experiments --out DIR [OPTION]...\n\n" << options;
+    return std::nullopt;
+  }
+  po::notify(given);
+  if (run.seeds < 1 || run.threads < 1) throw std::runtime_error("seeds and threads start at 1");
+  arguments.experiments = words(experiments, all_experiments);
+  arguments.sweeps = words(sweeps, sweepNames());
+  if (methods != "all") arguments.methods = words(methods, {});
+  return arguments;
+}
+
+std::vector<Experiment> chosenExperiments(const Arguments& arguments, const ShippedWorlds& worlds) {
+  std::vector<Experiment> available = paperExperiments(worlds);
+  available.push_back(buildingsExperiment());
+  std::vector<Experiment> chosen;
+  for (const Experiment& experiment : available) {
+    const auto& names = arguments.experiments;
+    if (std::find(names.begin(), names.end(), experiment.group) != names.end()) {
+      chosen.push_back(experiment);
+    }
+  }
+  for (const std::string& path : arguments.recorded) chosen.push_back(recordedExperiment(path));
+  return chosen;
+}
+
+void write(const std::string& path, const std::function<void(std::ostream&)>& content) {
+  std::ofstream file(path);
+  content(file);
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + path);
+}
+
+void writeCsv(const Arguments& arguments, const std::string& name, const Table& table) {
+  write(arguments.out + "/" + name + ".csv", [&](std::ostream& file) { table.writeCsv(file); });
+}
+
+void showAndWrite(const Arguments& arguments, const std::string& name, const Table& table) {
+  write(arguments.out + "/" + name + ".md", [&](std::ostream& file) { table.writeMarkdown(file); });
+  std::cout << '\n';
+  table.writeMarkdown(std::cout);
+}
+
+std::vector<Outcome> runWithBar(const std::string& what, const std::vector<Experiment>& experiments,
+                                const std::vector<Method>& methods, const RunOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::optional<tools::ProgressBar> bar;
+  const auto progress = [&](std::size_t done, std::size_t total) {
+    if (!bar) bar.emplace(total, what, std::cerr);
+    bar->show(done);
+  };
+  std::vector<Outcome> outcomes = runExperiments(experiments, methods, options, progress);
+  if (bar) bar->finish();
+  std::map<std::string, double> seconds;
+  for (const Outcome& outcome : outcomes) seconds[outcome.method->name] += outcome.seconds;
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  std::cerr << what << ": " << fixed(took.count(), 1) << " s; of recognition";
+  for (const auto& [method, spent] : seconds) {
+    std::cerr << ", " << method << ' ' << fixed(spent, 1) << " s";
+  }
+  std::cerr << '\n';
+  return outcomes;
+}
+
+void compare(const Arguments& arguments, const ShippedWorlds& worlds,
+             const std::vector<Method>& methods) {
+  const std::vector<Experiment> experiments = chosenExperiments(arguments, worlds);
+  if (experiments.empty()) return;
+  const std::vector<Outcome> outcomes =
+      runWithBar("experiments", experiments, methods, arguments.run);
+  writeCsv(arguments, "answers", answerTable(outcomes));
+  writeCsv(arguments, "summary", summaryTable(outcomes));
+  writeCsv(arguments, "reliability", reliabilityTable(outcomes));
+  showAndWrite(arguments, "accuracy", accuracyTable(outcomes));
+  showAndWrite(arguments, "methods", methodTable(outcomes));
+  for (const Method& method : methods) {
+    if (method.name == "default")
+      showAndWrite(arguments, "default", verdictTable(outcomes, method.name));
+  }
+}
+
+void sweepAll(const Arguments& arguments, const ShippedWorlds& worlds,
+              const std::vector<Method>& methods) {
+  std::vector<Experiment> points;
+  for (const std::string& name : arguments.sweeps) {
+    const std::vector<Experiment> curve = sweep(name, worlds);
+    points.insert(points.end(), curve.begin(), curve.end());
+  }
+  if (points.empty()) return;
+  const std::vector<Outcome> outcomes = runWithBar("sweeps", points, methods, arguments.run);
+  writeCsv(arguments, "sweeps", summaryTable(outcomes));
+}
+
+void drawAll(const Arguments& arguments, const ShippedWorlds& worlds,
+             const std::vector<Method>& all) {
+  const std::string folder = arguments.out + "/figures";
+  std::filesystem::create_directories(folder);
+  const std::vector<Method> methods =
+      selectMethods(all, {"nearest_neighbour", "hill_climbing", "default"});
+  for (const GridFigure& figure :
+       gridFigures(worlds, methods[0], methods[1], methods[2], arguments.run.first_seed)) {
+    writeFigure(figure, folder);
+  }
+  for (const MapFigure& figure : mapFigures(worlds)) writeFigure(figure, folder);
+}
+
+void process(const Arguments& arguments) {
+  const std::vector<Method> all = allMethods(arguments.params, arguments.preset);
+  const std::vector<Method> methods = selectMethods(all, arguments.methods);
+  const ShippedWorlds worlds = loadShippedWorlds(arguments.worlds);
+  std::filesystem::create_directories(arguments.out);
+  compare(arguments, worlds, methods);
+  sweepAll(arguments, worlds,
+           selectMethods(all, {"nearest_neighbour", "hill_climbing", "default"}));
+  if (arguments.figures) drawAll(arguments, worlds, all);
+}
+
+}  // namespace
+}  // namespace place_memory::experiments
+
+int main(int argc, char** argv) {
+  try {
+    if (const auto arguments = place_memory::experiments::readArguments(argc, argv)) {
+      place_memory::experiments::process(*arguments);
+    }
+  } catch (const std::exception& error) {
+    std::cerr << "place_memory_experiments: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
