@@ -104,9 +104,10 @@ node::ScanOutcome BagScanner::scan(const ros::Time& start, const ros::Time& end)
       if (!moved) continue;
       for (const auto& transform : moved->transforms) transforms.setTransform(transform, "bag");
     } else if (topic == heading_topic_) {
-      // Those after the end serve readings that still wait for the next heading.
+      // Without odometry those after the end serve readings that still wait for the next heading.
       const auto heading = message.instantiate<sensor_msgs::Imu>();
-      if (!heading || (heading->header.stamp > end && !collector.waiting())) continue;
+      const bool serves = parameters_.odom_frame.empty() && collector.waiting();
+      if (!heading || (heading->header.stamp > end && !serves)) continue;
       collector.addHeading(*heading, message.getTime());
     } else {
       const auto range = message.instantiate<sensor_msgs::Range>();

@@ -1,0 +1,253 @@
+#!/usr/bin/env python3
+"""What a live node publishes, as a subscriber gets it who comes late."""
+
+import math
+import os
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from geometry_msgs.msg import PoseWithCovarianceStamped
+from nav_msgs.msg import OccupancyGrid
+from place_memory.msg import PlaceGraph, Recognition
+from std_msgs.msg import String
+from visualization_msgs.msg import Marker, MarkerArray
+
+import live_test
+import sonar_room
+
+UNSENSED = -1
+
+
+def middle(grid):
+    """Pose of the middle of a grid in the frame of its header."""
+    origin = grid.info.origin
+    yaw = 2.0 * math.atan2(origin.orientation.z, origin.orientation.w)
+    half = 0.5 * grid.info.width * grid.info.resolution
+    return sonar_room.compose((origin.position.x, origin.position.y, yaw), (half, half, 0.0))
+
+
+def cell(grid, x, y):
+    """Value at a point of the grid's own frame, where the robot stands in the middle."""
+    column = int((x / grid.info.resolution) + 0.5 * grid.info.width)
+    row = int((y / grid.info.resolution) + 0.5 * grid.info.height)
+    return grid.data[row * grid.info.width + column]
+
+
+class LiveTopicsTest(live_test.LiveTestCase):
+    def markers(self):
+        return self.node.latched("place_markers", MarkerArray).markers
+
+    def marker_texts(self):
+        return [marker.text for marker in self.markers() if marker.text]
+
+    def current_place(self):
+        return self.node.latched("current_place", String).data
+
+    def test_an_empty_map_is_there_from_the_start(self):
+        self.start_node()
+        graph = self.node.latched("place_graph", PlaceGraph)
+        self.assertEqual((graph.header.frame_id, graph.places, graph.links), ("map", [], []))
+        self.assertEqual([marker.action for marker in self.markers()], [Marker.DELETEALL])
+        self.assertEqual(self.current_place(), "")
+
+    def test_scan_grid_shows_the_room(self):
+        self.start_node()
+        self.robot.odometry = (5.0, 1.0, 0.0)
+        self.robot.spin = 0.3
+        self.scan_well(headings=11)
+        grid = self.node.latched("scan_grid", OccupancyGrid)
+        self.assertEqual((grid.header.frame_id, grid.info.width, grid.info.height),
+                         ("odom", 64, 64))
+        self.assertAlmostEqual(grid.info.resolution, 0.142875, places=6)
+        self.assertAlmostEqual(middle(grid)[0], 5.0, places=6)
+        self.assertAlmostEqual(middle(grid)[1], 1.0, places=6)
+        for x in (-2.5, -1.0, 1.0):
+            self.assertIn(cell(grid, x, 0.0), range(0, 50))
+            self.assertGreater(cell(grid, x, -1.5), 50)
+        self.assertEqual(cell(grid, 0.0, 4.0), UNSENSED)
+
+    def test_scan_grid_shows_a_scan_under_way(self):
+        self.start_node()
+        grids = []
+        subscriber = rospy.Subscriber(self.node.name + "/scan_grid", OccupancyGrid, grids.append)
+        self.addCleanup(subscriber.unregister)
+        scan = self.begin_scan(headings=11)
+        self.run_robot(lambda: len(grids) > 1, "grids of a scan under way")
+        self.assertFalse(scan.is_over())
+
+    def test_map_topics_follow_every_change(self):
+        self.start_node()
+        self.learn("hall", sonar_room.HALL)
+        self.assertEqual(self.current_place(), "hall")
+        self.robot.odometry = (6.0, 0.0, 0.0)
+        self.learn("study", sonar_room.STUDY)
+        graph = self.node.latched("place_graph", PlaceGraph)
+        ids = [place.id for place in graph.places]
+        self.assertEqual([place.label for place in graph.places], ["hall", "study"])
+        self.assertEqual([(link.first_id, link.second_id) for link in graph.links], [tuple(ids)])
+        self.assertEqual(self.marker_texts(), ["hall", "study"])
+        lines = [marker for marker in self.markers() if marker.type == Marker.LINE_LIST]
+        self.assertEqual([len(marker.points) for marker in lines], [2])
+        self.assertEqual(self.current_place(), "study")
+
+        self.node.call("rename_place", label="study", new_label="library")
+        self.assertEqual(self.marker_texts(), ["hall", "library"])
+        self.assertEqual(self.current_place(), "library")
+
+        self.node.call("remove_place", label="library")
+        graph = self.node.latched("place_graph", PlaceGraph)
+        self.assertEqual([place.label for place in graph.places], ["hall"])
+        self.assertEqual(graph.links, [])
+        self.assertEqual(self.current_place(), "")
+
+        self.node.call("clear")
+        self.assertEqual(self.node.latched("place_graph", PlaceGraph).places, [])
+
+    def test_markers_of_a_removed_place_vanish(self):
+        self.start_node()
+        self.learn("hall", sonar_room.HALL)
+        study = self.learn("study", sonar_room.STUDY).place_id
+        shown = set()  # as rviz keeps it: namespace, id
+
+        def show(array):
+            for marker in array.markers:
+                if marker.action == Marker.DELETEALL:
+                    shown.clear()
+                elif marker.action == Marker.DELETE:
+                    shown.discard((marker.ns, marker.id))
+                else:
+                    shown.add((marker.ns, marker.id))
+
+        subscriber = rospy.Subscriber(self.node.name + "/place_markers", MarkerArray, show)
+        self.addCleanup(subscriber.unregister)
+        self.wait(lambda: ("labels", study) in shown, "the marker of the study")
+        self.node.call("remove_place", label="study")
+        self.wait(lambda: ("labels", study) not in shown, "the marker to vanish")
+        self.assertFalse([ns for ns, number in shown if number == study])
+        self.assertTrue(shown)
+
+    def test_recognition_topics_say_what_was_answered(self):
+        self.start_node()
+        self.learn("hall", sonar_room.HALL)
+        self.learn("study", sonar_room.STUDY)
+        self.robot.enter(sonar_room.STUDY, 0.4, 0.1)
+        self.robot.odometry = (20.0, 0.0, 0.0)
+        scan = self.scan_well()
+        answer = self.node.call("recognize_place").recognition
+        self.assertEqual(answer.verdict, Recognition.RECOGNIZED)
+        self.assertEqual(self.node.latched("recognition", Recognition), answer)
+        pose = self.node.latched("pose", PoseWithCovarianceStamped)
+        self.assertEqual((pose.header, pose.pose), (answer.header, answer.pose))
+        self.assertEqual(pose.header.frame_id, "map")
+        self.assertAlmostEqual((pose.header.stamp - scan.end).to_sec(), 0.0, places=6)
+        self.assertEqual(self.current_place(), "study")
+
+        # The recalled grid lies over the scan as the alignment has it.
+        scan_grid = self.node.latched("scan_grid", OccupancyGrid)
+        matched = self.node.latched("matched_grid", OccupancyGrid)
+        self.assertEqual(matched.header.frame_id, "odom")
+        transform = answer.matches[0].transform
+        self.assertAlmostEqual(transform.x, 0.4, delta=0.2)
+        aligned = sonar_room.inverse((transform.x, transform.y, transform.theta))
+        for is_, should_be in zip(middle(matched), sonar_room.compose(middle(scan_grid), aligned)):
+            self.assertAlmostEqual(is_, should_be, places=6)
+        self.assertGreater(max(matched.data), 50)
+
+    def test_an_unknown_place_clears_what_was_recalled(self):
+        self.start_node()
+        self.learn("hall", sonar_room.HALL)
+        self.scan_well()
+        self.node.call("recognize_place")
+        self.node.call("clear")
+        answer = self.node.call("recognize_place").recognition
+        self.assertEqual(answer.verdict, Recognition.UNKNOWN)
+        self.assertEqual(self.current_place(), "")
+        matched = self.node.latched("matched_grid", OccupancyGrid)
+        self.assertEqual(set(matched.data), {UNSENSED})
+
+
+class Diagnostics:
+    """What a node says of itself on /diagnostics, by the name of the part."""
+
+    def __init__(self, node):
+        self.statuses = {}
+        self._prefix = node.name.strip("/") + ": "
+        self._subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, self._on_array)
+
+    def close(self):
+        self._subscriber.unregister()
+
+    def _on_array(self, array):
+        for status in array.status:
+            if status.name.startswith(self._prefix):
+                self.statuses[status.name[len(self._prefix):]] = status
+
+    def says(self, part, level, *words):
+        status = self.statuses.get(part)
+        return (status is not None and status.level == level
+                and all(word in status.message for word in words))
+
+
+class LiveDiagnosticsTest(live_test.LiveTestCase):
+    def start_node(self, **parameters):
+        super().start_node(**parameters)
+        self.diagnostics = Diagnostics(self.node)
+        self.addCleanup(self.diagnostics.close)
+
+    def wait_for(self, part, level, *words):
+        self.run_robot(lambda: self.diagnostics.says(part, level, *words),
+                       "%s of %s: %s" % (level, part, ", ".join(words)))
+
+    def test_sensors_and_places_are_well(self):
+        self.start_node()
+        self.wait_for("sensors", DiagnosticStatus.OK, "16 sensors")
+        self.learn("hall", sonar_room.HALL)
+        self.wait_for("memory", DiagnosticStatus.OK, "1 place")
+
+    def test_before_a_reading_came_there_is_a_warning(self):
+        self.start_node()
+        self.robot.edit_range = lambda sensor, message: None
+        self.wait_for("sensors", DiagnosticStatus.WARN, "no sensor")
+
+    def test_a_sensor_without_sense_is_named(self):
+        self.start_node()
+        for field, value in (("field_of_view", 0.0), ("field_of_view", float("nan")),
+                             ("min_range", 7.0), ("max_range", float("inf"))):
+            with self.subTest(field=field, value=value):
+                def edit(sensor, message):
+                    if sensor == 5:
+                        setattr(message, field, value)
+                    return message
+
+                self.robot.edit_range = edit
+                self.wait_for("sensors", DiagnosticStatus.ERROR, "sonar_5", field)
+                self.robot.edit_range = lambda sensor, message: message
+                self.wait_for("sensors", DiagnosticStatus.OK)
+
+    def test_a_silent_sensor_is_named(self):
+        self.start_node()
+        self.wait_for("sensors", DiagnosticStatus.OK, "16 sensors")
+        self.robot.edit_range = lambda sensor, message: None if sensor == 3 else message
+        self.wait_for("sensors", DiagnosticStatus.WARN, "sonar_3", "silent")
+
+    def test_a_sensor_that_says_only_nan_is_named(self):
+        self.start_node()
+
+        def edit(sensor, message):
+            if sensor == 9:
+                message.range = float("nan")
+            return message
+
+        self.robot.edit_range = edit
+        self.wait_for("sensors", DiagnosticStatus.WARN, "sonar_9", "rejected")
+
+    def test_a_store_that_is_not_used_is_an_error(self):
+        store = os.path.join(self.folder, "places.db")
+        with open(store, "w") as file:
+            file.write("this is a diary\n" * 100)
+        self.start_node(store=store)
+        self.wait_for("memory", DiagnosticStatus.ERROR, store)
+
+
+if __name__ == "__main__":
+    live_test.main("live_topics_test", "live_topics_test")
