@@ -1,0 +1,224 @@
+#!/usr/bin/python3
+"""The demonstration: a simulated robot learns a hallway, the hallway changes, the robot comes back.
+
+Two place memories hear the same sonars: one with the default parameters and one by the paper's
+method. The first turns the robot through each scan, the second listens. ROS_MASTER_URI says where
+the demonstration runs a master of its own.
+"""
+import argparse
+import contextlib
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+import urllib.parse
+
+import rospkg
+import rospy
+import yaml
+from place_memory.msg import ScanPlaceGoal
+
+from demo_tools import report
+from demo_tools.changes import apply_changes
+from demo_tools.contact_sheet import write_contact_sheet
+from demo_tools.driver import Driver
+from demo_tools.errors import DemoError
+from demo_tools.memory import VERDICTS, Memory
+from demo_tools.processes import Process, VirtualDisplay
+from demo_tools.screenshot import Rviz, write_overview_config
+from demo_tools.senses import Compass, MapFrame
+from demo_tools.trial import Answer, Learned, Trial, position_error, right_labels
+from demo_tools.waiting import wait_until
+
+OURS, PAPER = "default", "paper"
+NODES = {PAPER: "place_memory_paper", OURS: "place_memory"}
+DISPLAY_SIZE = (1600, 900)  # [pixels]
+RVIZ_TOPICS = ["/place_memory/scan_grid", "/place_memory/matched_grid",
+               "/place_memory/place_markers", "/place_memory/pose", "/sonar"]
+PICTURE_AT = "9"  # by the open area
+START_LIMIT = 60.0  # [s]
+
+
+def say(text):
+    print(text, flush=True)
+
+
+class Demonstration:
+    """Runs on a master where demo.launch has been started."""
+
+    def __init__(self, places, changes, check):
+        self._places = places
+        self._changes = changes
+        self._driver = Driver(check)
+        self._driver.pose()  # from then on simulated time runs
+        self._compass = Compass(check)
+        self._map = MapFrame(check)
+        self._memories = {method: Memory(node, check) for method, node in NODES.items()}
+        self.learned = {}
+        self.trials = []
+
+    def _scan(self):
+        # One node turns the robot by eleven headings at two degrees. The other one hears the same
+        # sweep from its middle on; in seven wider steps, since its middle is not where
+        # the other one counts from.
+        finish_paper = self._memories[PAPER].begin_scan(turn=ScanPlaceGoal.TURN_LISTEN, headings=7,
+                                                        step=math.radians(3.0))
+        finish_ours = self._memories[OURS].begin_scan(turn=ScanPlaceGoal.TURN_CMD_VEL)
+        grid = finish_ours()
+        finish_paper()
+        return grid
+
+    def learn_all(self):
+        for count, (label, (x, y)) in enumerate(self._places.items(), 1):
+            self._driver.go_to(x, y)
+            grid = self._scan()
+            for memory in self._memories.values():
+                memory.learn(label)
+            pose = self._driver.pose()
+            error = self._compass.error(pose[2])
+            self.learned[label] = Learned(label, pose, error, grid)
+            say(f"learned place {label:>2} ({count} of {len(self._places)}) at ({x:5.2f}, {y:5.2f})")
+
+    def change_world(self):
+        say("the world changes: " + apply_changes(self._changes))
+
+    def recognize_all(self, after_each):
+        """The way back, from the last place to the first; after_each(trial)."""
+        say(report.heading(NODES))
+        dx, dy = self._changes["offset"]
+        for label, (x, y) in reversed(self._places.items()):
+            self._driver.go_to(x + dx, y + dy)
+            grid = self._scan()
+            pose = self._driver.pose()
+            trial = Trial(label, pose, self._compass.error(pose[2]), grid)
+            for method in NODES:
+                trial.answers[method] = self._ask(method, pose)
+            self.trials.insert(0, trial)
+            say(report.row(trial, self.learned[label]))
+            after_each(trial)
+
+    def _ask(self, method, pose):
+        found = self._memories[method].recognize()
+        best = found.matches[0]
+        verdict = VERDICTS[found.verdict]
+        if method == OURS and verdict == "recognized":
+            self._map.correct(found.pose.pose)
+        is_right = best.label in right_labels(self._places, pose[0], pose[1])
+        error = (position_error(self.learned[best.label], best.transform, pose)
+                 if is_right else math.nan)
+        return Answer(best.label, verdict, best.probability, is_right, error,
+                      1000.0 * found.match_duration.to_sec())
+
+
+def load_yaml(path):
+    with open(path, encoding="utf-8") as file:
+        return yaml.safe_load(file)
+
+
+def take_overview(options, config, display, check):
+    """A picture of the whole map, by a second rviz."""
+    overview = os.path.join(options.out, "overview.rviz")
+    write_overview_config(overview, config, focus=(18.6, 0.0), scale=38, height=480)
+    command = ["rviz", "--splash-screen", "", "-d", overview,
+               "__name:=rviz_overview"]
+    with Process(command, os.path.join(options.out, "overview.log")) as process:
+        def check_both():
+            check()
+            process.check()
+
+        rviz = Rviz(display, overview, check_both)
+        rviz.wait_until_it_hears(RVIZ_TOPICS, "/rviz_overview")
+        rviz.write(os.path.join(options.out, "map.png"))
+
+
+def demonstrate(options, share, display, check):
+    started = time.monotonic()
+    rospy.init_node("place_memory_demo", disable_signals=True)
+    world = load_yaml(os.path.join(share, "config", "worlds", "hallway.yaml"))
+    places = {place["label"]: tuple(place["at"]) for place in world["places"]}
+    config = os.path.join(share, "rviz", "place_memory.rviz")
+    changes = load_yaml(os.path.join(share, "config", "demo", "changes.yaml"))
+    demonstration = Demonstration(places, changes, check)
+    demonstration.learn_all()
+    take_overview(options, config, display, check)
+    demonstration.change_world()
+
+    def after_each(trial):
+        if trial.label == PICTURE_AT:
+            rviz = Rviz(display, config, check)
+            rviz.wait_until_it_hears(RVIZ_TOPICS, "/rviz")
+            rviz.write(os.path.join(options.out, "rviz.png"))
+
+    demonstration.recognize_all(after_each)
+
+    report.write_csv(os.path.join(options.out, "results.csv"), demonstration.trials,
+                     demonstration.learned)
+    write_contact_sheet(os.path.join(options.out, "grids.png"), demonstration.learned,
+                        demonstration.trials,
+                        "Learned grids and those of the way back (black occupied, white empty, "
+                        "grey unsensed); below: the place each method found")
+    for method in NODES:
+        say(report.total(method, demonstration.trials))
+    say(f"{time.monotonic() - started:.0f} s; pictures and results.csv are in {options.out}")
+
+
+def master_answers():
+    try:
+        return rospy.get_master().getPid()[0] == 1
+    except OSError:
+        return False
+
+
+def run(options):
+    os.makedirs(options.out, exist_ok=True)
+    share = rospkg.RosPack().get_path("place_memory")
+    port = str(urllib.parse.urlparse(os.environ["ROS_MASTER_URI"]).port)
+    launch = ["roslaunch", "-p", port, "place_memory", "demo.launch", f"speed:={options.speed}",
+              f"seed:={options.seed}"]
+    if master_answers():
+        raise DemoError(f"another ROS master runs on port {port}: name a free one, ROS_MASTER_PORT")
+    with contextlib.ExitStack() as processes:
+        if not os.environ.get("DISPLAY"):
+            say("there is no display: rviz draws into memory")
+            screen = processes.enter_context(VirtualDisplay(options.out, *DISPLAY_SIZE))
+            os.environ.update(DISPLAY=screen.display, LIBGL_ALWAYS_SOFTWARE="1")
+        log = os.path.join(options.out, "roslaunch.log")
+        nodes = processes.enter_context(Process(launch, log))
+        wait_until(master_answers, "the ROS master", START_LIMIT, nodes.check)
+        demonstrate(options, share, os.environ["DISPLAY"], nodes.check)
+
+
+def parse_options():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", default="demo_output", help="folder for what is written")
+    parser.add_argument("--speed", type=float, default=5.0, help="simulated over real time")
+    parser.add_argument("--seed", type=int, default=1, help="of the simulation")
+    return parser.parse_args()
+
+
+def stop_now(*_):
+    raise KeyboardInterrupt
+
+
+def main():
+    options = parse_options()
+    # However it is stopped, its processes are too.
+    for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(stop, stop_now)
+    try:
+        run(options)
+    except (DemoError, OSError, subprocess.SubprocessError, rospy.ROSException,
+            rospy.ServiceException) as error:
+        print(f"demo: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("demo: stopped", file=sys.stderr)
+        return 130
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,93 @@
+"""A place memory node: its action, services and grids."""
+import threading
+
+import actionlib
+import rospy
+from actionlib_msgs.msg import GoalStatus
+from nav_msgs.msg import OccupancyGrid
+from place_memory.msg import Recognition, ScanPlaceAction, ScanPlaceGoal, ScanPlaceResult
+from place_memory.srv import LearnPlace, LearnPlaceResponse, RecognizePlace, RecognizePlaceResponse
+
+from demo_tools.errors import DemoError
+from demo_tools.waiting import wait_until
+
+START_LIMIT = 60.0  # of real time [s]
+SCAN_LIMIT = 90.0   # of real time [s]
+
+VERDICTS = {Recognition.UNKNOWN: "unknown", Recognition.AMBIGUOUS: "ambiguous",
+            Recognition.RECOGNIZED: "recognized"}
+
+
+class Memory:
+    """One node; every call waits for its answer and ends in DemoError where it is no success."""
+
+    def __init__(self, name, check):
+        self._name = name
+        self._check = check
+        self._grid = None
+        self._subscriber = rospy.Subscriber(f"{name}/scan_grid", OccupancyGrid, self._on_grid)
+        self._scan = actionlib.ActionClient(f"{name}/scan", ScanPlaceAction)
+        self._learn = self._service("learn_place", LearnPlace)
+        self._recognize = self._service("recognize_place", RecognizePlace)
+        self._wait_for_action()
+
+    def _wait_for_action(self):
+        # The client's own limit is one of simulated time, which stands still if the simulator ends.
+        there = threading.Event()
+
+        def wait():
+            if self._scan.wait_for_server():
+                there.set()
+
+        threading.Thread(target=wait, daemon=True).start()
+        wait_until(there.is_set, f"{self._name}/scan", START_LIMIT, self._check)
+
+    def _service(self, service, kind):
+        name = f"{self._name}/{service}"
+
+        def is_there():
+            try:
+                rospy.wait_for_service(name, timeout=0.2)
+                return True
+            except rospy.ROSException:
+                return False
+
+        wait_until(is_there, name, START_LIMIT, self._check)
+        return rospy.ServiceProxy(name, kind)
+
+    def _on_grid(self, grid):
+        self._grid = grid
+
+    def begin_scan(self, **goal):
+        """Sends the goal and returns, once the node has taken it, a function that waits for the
+        scan's result and returns its grid."""
+        handle = self._scan.send_goal(ScanPlaceGoal(**goal))
+        wait_until(lambda: handle.get_goal_status() != GoalStatus.PENDING,
+                   f"the start of {self._name}/scan", START_LIMIT, self._check)
+
+        def finish():
+            result = wait_until(handle.get_result, f"{self._name}/scan", SCAN_LIMIT,
+                                self._check)
+            if result.status != ScanPlaceResult.SUCCEEDED:
+                raise DemoError(f"{self._name}/scan: {result.message}")
+            return wait_until(lambda: self._grid_of(result), f"{self._name}/scan_grid",
+                              START_LIMIT, self._check)
+
+        return finish
+
+    def _grid_of(self, result):
+        grid = self._grid
+        return grid if grid is not None and grid.header.stamp == result.end else None
+
+    def learn(self, label):
+        answer = self._learn(label=label)
+        if answer.status != LearnPlaceResponse.OK:
+            raise DemoError(f"{self._name}/learn_place: {answer.message}")
+
+    def recognize(self):
+        answer = self._recognize()
+        if answer.status != RecognizePlaceResponse.OK:
+            raise DemoError(f"{self._name}/recognize_place: {answer.message}")
+        if not answer.recognition.matches:
+            raise DemoError(f"{self._name}/recognize_place: no place was learned")
+        return answer.recognition
