@@ -49,6 +49,13 @@ std::vector<std::string> words(const std::string& text,
   return found;
 }
 
+void requireWithin(const std::string& name, std::size_t value, std::size_t least,
+                   std::size_t most) {
+  if (value >= least && value <= most) return;
+  throw std::runtime_error("--" + name + " must lie in " + std::to_string(least) + " to " +
+                           std::to_string(most));
+}
+
 // Nothing where help was asked for, which is then printed.
 std::optional<Arguments> readArguments(int argc, char** argv) {
   namespace po = boost::program_options;
@@ -94,7 +101,10 @@ std::optional<Arguments> readArguments(int argc, char** argv) {
     return std::nullopt;
   }
   po::notify(given);
-  if (run.seeds < 1 || run.threads < 1) throw std::runtime_error("seeds and threads start at 1");
+  // Boost takes -1 for the largest number there is.
+  requireWithin("seeds", run.seeds, 1, 100000);
+  requireWithin("slow-seeds", run.slow_seeds, 0, 100000);
+  requireWithin("threads", run.threads, 1, 256);
   arguments.experiments = words(experiments, all_experiments);
   arguments.sweeps = words(sweeps, sweepNames());
   if (methods != "all") arguments.methods = words(methods, {});

@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""place_memory_experiments and the scripts that draw what it writes, end to end, on one tiny run.
+
+usage: experiments_tool_test.py PLACE_MEMORY_EXPERIMENTS [UNITTEST OPTION]...
+"""
+
+import csv
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+WORLDS = os.path.join(ROOT, "config", "worlds")
+TOOL = sys.argv.pop(1)
+TINY = ["--worlds", WORLDS, "--experiments", "1,4", "--seeds", "1", "--methods",
+        "nearest_neighbour,hill_climbing,default"]
+
+
+def run(*arguments):
+    return subprocess.run(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True)
+
+
+def script(name):
+    return ["/usr/bin/python3", "-B", os.path.join(ROOT, "scripts", name)]
+
+
+class TinyRun(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.out = os.path.join(cls.folder.name, "out")
+        cls.answer = run(TOOL, "--out", cls.out, "--sweeps", "chairs", "--figures", *TINY)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def rows(self, name):
+        with open(os.path.join(self.out, name), newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_shows_the_tables_and_a_bar(self):
+        self.assertEqual(self.answer.returncode, 0, self.answer.stderr)
+        self.assertIn("| hallway ", self.answer.stdout)
+        self.assertIn("5/5 experiments", self.answer.stderr)
+
+    def test_has_a_row_for_each_case_and_method(self):
+        rows = self.rows("summary.csv")
+        self.assertEqual(len(rows), 5 * 3)
+        hallway = {row["method"]: row for row in rows if row["case"] == "hallway"}
+        self.assertEqual(hallway["hill_climbing"]["paper"], "1.0000")
+        self.assertEqual(hallway["default"]["paper"], "")
+        self.assertEqual(hallway["default"]["trials"], "21")
+
+    def test_keeps_every_answer(self):
+        answers = self.rows("answers.csv")
+        right = [a for a in answers if a["case"] == "hallway" and a["method"] == "default"
+                 and a["right"] == "1"]
+        summary = [row for row in self.rows("summary.csv")
+                   if row["case"] == "hallway" and row["method"] == "default"]
+        self.assertEqual(len(right), int(summary[0]["right"]))
+        self.assertGreater(len(right), 10)
+
+    def test_draws(self):
+        plots = os.path.join(self.folder.name, "plots")
+        answer = run(*script("plot_experiments.py"), self.out, plots)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        drawn = set(os.listdir(plots))
+        self.assertLessEqual({"experiments.png", "reliability.png", "figure_1.png", "figure_2.png",
+                              "figure_3.png", "figure_4.png", "figure_5.png", "figure_6.png",
+                              "figure_7.png"}, drawn)
+
+    def test_tables_go_between_the_marks_of_a_document(self):
+        document = os.path.join(self.folder.name, "document.md")
+        with open(document, "w") as file:
+            file.write("before\n<!-- begin accuracy.md -->\nold\n<!-- end accuracy.md -->\nafter\n")
+        answer = run(*script("insert_tables.py"), document, self.out)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        with open(document) as file:
+            text = file.read()
+        self.assertTrue(text.startswith("before\n") and text.endswith("\nafter\n"))
+        self.assertNotIn("old", text)
+        self.assertIn("| hallway ", text)
+
+    def test_a_document_whose_mark_has_no_end_is_left_alone(self):
+        document = os.path.join(self.folder.name, "broken.md")
+        with open(document, "w") as file:
+            file.write("<!-- begin accuracy.md -->\nold\n")
+        self.assertNotEqual(run(*script("insert_tables.py"), document, self.out).returncode, 0)
+        with open(document) as file:
+            self.assertEqual(file.read(), "<!-- begin accuracy.md -->\nold\n")
+
+
+class WrongArguments(unittest.TestCase):
+    def refused(self, words, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            answer = run(TOOL, "--out", folder, "--worlds", WORLDS, *arguments)
+        self.assertEqual(answer.returncode, 1)
+        self.assertIn(words, answer.stderr)
+
+    def test_unknown_experiment(self):
+        self.refused("'6'", "--experiments", "6")
+
+    def test_unknown_sweep(self):
+        self.refused("'weather'", "--sweeps", "weather")
+
+    def test_unknown_method(self):
+        self.refused("'magic'", "--methods", "magic")
+
+    def test_no_seeds(self):
+        self.refused("seeds", "--seeds", "0")
+
+    def test_negative_seeds(self):
+        self.refused("seeds", "--seeds", "-1")
+
+    def test_too_many_threads(self):
+        self.refused("threads", "--threads", "100000")
+
+    def test_no_such_worlds(self):
+        self.refused("nowhere", "--experiments", "none", "--worlds", "/nowhere")
+
+    def test_no_such_recording(self):
+        self.refused("/nowhere.gz", "--experiments", "none", "--recorded", "/nowhere.gz")
+
+    def test_wrong_parameters(self):
+        self.refused("match/preset", "--preset", "/nowhere.yaml")
+
+    def test_nowhere_to_write(self):
+        answer = run(TOOL, "--out", "/proc/nowhere", *TINY)
+        self.assertEqual(answer.returncode, 1)
+        self.assertIn("/proc/nowhere", answer.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,141 @@
+#include "trials/simulated_trials.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "place_memory/sim/world_loader.h"
+
+namespace place_memory::trials {
+namespace {
+
+const sim::World& world(const std::string& name) {
+  static std::map<std::string, sim::World> worlds;
+  if (worlds.count(name) == 0) {
+    worlds[name] =
+        sim::loadWorld(std::string(PLACE_MEMORY_SOURCE_DIR) + "/config/worlds/" + name + ".yaml");
+  }
+  return worlds[name];
+}
+
+Recipe everythingChanges() {
+  Recipe recipe;
+  recipe.chairs_about_place = 2;
+  recipe.doors_flipped = 0.5;
+  recipe.chairs_moved = 0.5;
+  recipe.people = 2;
+  recipe.shift = 0.6;
+  recipe.compass_error = 0.2;
+  recipe.readings_lost = 0.3;
+  return recipe;
+}
+
+TrialSet roomTrials(const Recipe& recipe, std::uint64_t seed) {
+  return simulateTrials(world("rooms"), sim::SimulatedRobot{}, recipe, seed);
+}
+
+bool same(const std::vector<core::SonarReading>& a, const std::vector<core::SonarReading>& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(), [](const auto& left, const auto& right) {
+        return left.range == right.range && left.sensor_pose.x == right.sensor_pose.x &&
+               left.sensor_pose.yaw == right.sensor_pose.yaw;
+      });
+}
+
+double distance(const core::Pose2d& a, const core::Pose2d& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+TEST(SimulatedTrials, TheSameSeedGivesTheSameTrials) {
+  const TrialSet once = roomTrials(everythingChanges(), 5);
+  const TrialSet again = roomTrials(everythingChanges(), 5);
+  ASSERT_EQ(once.learned.size(), 5U);
+  ASSERT_EQ(once.trials.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_TRUE(same(once.learned[i].readings, again.learned[i].readings));
+    EXPECT_TRUE(same(once.trials[i].readings, again.trials[i].readings));
+    EXPECT_EQ(distance(once.trials[i].map_from_scan, again.trials[i].map_from_scan), 0.0);
+  }
+}
+
+TEST(SimulatedTrials, AnotherSeedGivesOthers) {
+  const TrialSet one = roomTrials(everythingChanges(), 5);
+  const TrialSet other = roomTrials(everythingChanges(), 6);
+  EXPECT_FALSE(same(one.learned[0].readings, other.learned[0].readings));
+  EXPECT_FALSE(same(one.trials[0].readings, other.trials[0].readings));
+}
+
+TEST(SimulatedTrials, WhatChangesLaterChangesNothingThatWasLearned) {
+  Recipe later = everythingChanges();
+  later.people = 0;
+  later.readings_lost = 0.0;
+  const TrialSet changed = roomTrials(later, 5);
+  const TrialSet still = roomTrials(Recipe{}, 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_TRUE(same(changed.learned[i].readings, still.learned[i].readings));
+    EXPECT_FALSE(same(changed.trials[i].readings, still.trials[i].readings));
+  }
+}
+
+TEST(SimulatedTrials, ShiftsAreAsFarAsAsked) {
+  Recipe recipe;
+  recipe.shift = 0.6;
+  const TrialSet set = roomTrials(recipe, 1);
+  for (std::size_t i = 0; i < set.trials.size(); ++i) {
+    EXPECT_NEAR(distance(set.trials[i].map_from_scan, set.learned[i].map_from_scan), 0.6, 1e-9);
+    EXPECT_EQ(set.trials[i].accept, std::vector<std::string>{set.learned[i].label});
+  }
+}
+
+TEST(SimulatedTrials, ShiftsAlongLinksStayOnTheHallwaysAxis) {
+  Recipe recipe;
+  recipe.shift = 0.6;
+  recipe.shift_along_links = true;
+  const sim::World& hallway = world("hallway");
+  const TrialSet set = simulateTrials(hallway, sim::SimulatedRobot{}, recipe, 1);
+  for (std::size_t i = 0; i < set.trials.size(); ++i) {
+    EXPECT_NEAR(set.trials[i].map_from_scan.y, hallway.places[i].position.y, 0.1);
+    EXPECT_FALSE(set.trials[i].accept.empty());
+  }
+}
+
+TEST(SimulatedTrials, DriftTurnsTheEndsOfTheWorldOppositeWays) {
+  Recipe recipe;
+  recipe.drift = 0.5;
+  const TrialSet set = simulateTrials(world("hallway"), sim::SimulatedRobot{}, recipe, 1);
+  EXPECT_NEAR(set.learned.front().map_from_scan.yaw, 0.5, 1e-9);
+  EXPECT_NEAR(set.learned.back().map_from_scan.yaw, -0.5, 1e-9);
+}
+
+TEST(SimulatedTrials, LostReadingsAreGone) {
+  Recipe recipe;
+  recipe.readings_lost = 0.5;
+  const std::size_t all = roomTrials(Recipe{}, 1).trials[0].readings.size();
+  const std::size_t left = roomTrials(recipe, 1).trials[0].readings.size();
+  EXPECT_GT(left, all / 4);
+  EXPECT_LT(left, all * 3 / 4);
+  recipe.readings_lost = 1.0;
+  EXPECT_TRUE(roomTrials(recipe, 1).trials[0].readings.empty());
+}
+
+TEST(SimulatedTrials, ALaserTakesThePlaceOfTheSonars) {
+  Recipe recipe;
+  recipe.laser = sim::LaserModel{};
+  recipe.people = 1;
+  const TrialSet set = roomTrials(recipe, 1);
+  for (const LearnedScan& scan : set.learned) {
+    EXPECT_GT(scan.readings.size(), 350U);
+    EXPECT_NEAR(scan.readings[0].spec.field_of_view, 2.0 * core::kPi / 360.0, 1e-9);
+  }
+}
+
+TEST(SimulatedTrials, NothingIsRightForAStranger) {
+  const auto strangers =
+      simulateStrangers(world("rooms"), sim::SimulatedRobot{}, everythingChanges(), 1);
+  ASSERT_EQ(strangers.size(), 5U);
+  for (const RecognitionTrial& trial : strangers) EXPECT_TRUE(trial.accept.empty());
+}
+
+}  // namespace
+}  // namespace place_memory::trials
