@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kGain = 4.0;             // rate for an error [1/s]
 constexpr double kLeastRate = 0.1;        // share of the top rate at which a robot still turns
+constexpr double kSlow = 0.04;            // [rad/s]; faster, a base that obeys late would overshoot
 constexpr double kTolerance = kPi / 720;  // a quarter of a degree
 
 }  // namespace
@@ -45,7 +46,8 @@ double SweepTurner::update(double yaw, int completed) {
   if (reached()) return 0.0;
 
   const double error = target(completed) - turned_;
-  const double rate = std::clamp(kGain * std::abs(error), kLeastRate * max_rate_, max_rate_);
+  const double least = std::min(kLeastRate * max_rate_, kSlow);
+  const double rate = std::clamp(kGain * std::abs(error), least, max_rate_);
   return std::copysign(rate, error);
 }
 

@@ -12,7 +12,7 @@ from tf2_msgs.msg import TFMessage
 import sonar_room
 
 STEP = 0.1  # simulated time between two messages of a sensor [s]
-PACE = 0.03  # of the wall's clock, at least, for a step in which no velocity came [s]
+PACE = 0.05  # of the wall's clock, at least, for a step in which no velocity came [s]
 
 
 def transform(parent, child, pose, stamp):

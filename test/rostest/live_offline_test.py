@@ -6,9 +6,8 @@ import math
 import os
 import subprocess
 
-from place_memory.msg import Recognition, ScanPlaceActionFeedback
+from place_memory.msg import Recognition
 import rosbag
-import rospy
 
 import live_test
 from room_bag import RoomBag
@@ -49,34 +48,30 @@ class LiveOfflineTest(live_test.LiveTestCase):
         part_ends = messages[0].timestamp.to_sec() + PART
 
         def is_used():
-            return scan.is_over() or (
-                self.feedback.feedback.readings == usable
-                and self.feedback.header.stamp.to_sec() > self.world.now - 1e-6)
+            return scan.is_over() or (scan.feedback[-1].readings == usable
+                                      and scan.node_time > self.world.now - 1e-6)
 
         for topic, message, stamp in messages:
             is_next_part = stamp.to_sec() > part_ends and topic == "/tf"
             if is_next_part or message is messages[-1].message:
-                self.wait(is_used, "%d readings to be used" % usable)
+                self.hold(is_used, "%d readings to be used" % usable)
                 part_ends = stamp.to_sec() + PART
             self.world.set_time(stamp.to_sec())
             self.publish(topic, message)
             usable += topic == "/sonar" and not math.isnan(message.range)
-        self.wait(is_used, "%d readings to be used" % usable)
+        self.hold(is_used, "%d readings to be used" % usable)
 
     def live_scan(self, bag, event):
         self.world.set_time(event.start)
-        self.feedback = None
         scan = self.begin_scan()
-        self.wait(lambda: self.feedback, "the scan to begin")
+        self.hold(lambda: scan.feedback and scan.node_time > event.start - 1e-6,
+                  "the scan to begin")
         self.play([message for message in bag.read_messages()
                    if event.start <= message.timestamp.to_sec() <= event.end], scan)
         # Where the last reading was of no use, the sweep ends because nothing comes any more.
         self.world.set_time(event.end)
-        self.wait(scan.is_over, "the scan to end")
+        self.hold(scan.is_over, "the scan to end")
         self.assertEqual(scan.result().status, scan.result().SUCCEEDED, scan.result().message)
-
-    def on_feedback(self, message):
-        self.feedback = message
 
     def compare_recognition(self, event, row):
         response = self.node.call("recognize_place", heading_window=event.window or 0.0)
@@ -104,11 +99,6 @@ class LiveOfflineTest(live_test.LiveTestCase):
         self.assertEqual([row["status"] for row in rows], ["ok"] * len(rooms.events))
 
         self.start_node(scan__tf_timeout=TF_TIMEOUT)
-        # Unlike that of the client it has a stamp.
-        subscriber = rospy.Subscriber(self.node.name + "/scan/feedback", ScanPlaceActionFeedback,
-                                      self.on_feedback)
-        self.addCleanup(subscriber.unregister)
-        self.wait(lambda: subscriber.get_num_connections() > 0, "feedback to connect")
         right = []
         with rosbag.Bag(path) as bag:
             for event, row in zip(rooms.events, rows):

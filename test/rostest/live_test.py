@@ -18,6 +18,9 @@ from fake_robot import FakeRobot, World
 import sonar_room
 
 PATIENCE = 60.0  # with a slow machine [s]
+# Simulated time is so much ahead of the node's at most: a heading that seems to come from the
+# future is left out [s].
+LEAD = 0.5
 
 SERVICES = {
     "learn_place": srv.LearnPlace,
@@ -82,18 +85,26 @@ class Node:
 class Scan:
     """A goal of ~scan on its way."""
 
-    def __init__(self, node, goal):
+    def __init__(self, node, goal, now):
         self.feedback = []
+        self.begun = now  # [s]
+        self.node_time = 0.0  # at the newest feedback [s]
         self._client = actionlib.ActionClient(node.name + "/scan", msg.ScanPlaceAction)
         self._client.wait_for_server()
+        self._subscriber = rospy.Subscriber(node.name + "/scan/feedback",
+                                            msg.ScanPlaceActionFeedback, self._on_stamped_feedback)
         self._goal = self._client.send_goal(
             goal, feedback_cb=lambda _, feedback: self.feedback.append(feedback))
+
+    def _on_stamped_feedback(self, message):
+        self.node_time = message.header.stamp.to_sec()
 
     def cancel(self):
         self._goal.cancel()
 
     def leave(self):
         """The client goes away without a word."""
+        self._subscriber.unregister()
         self._client.stop()
 
     def is_over(self):
@@ -122,6 +133,7 @@ class LiveTestCase(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
+        self.newest_scan = None
         self.world.now += 100.0  # no test sees the time of another one
 
     def start_node(self, **parameters):
@@ -145,7 +157,27 @@ class LiveTestCase(unittest.TestCase):
 
     def run_robot(self, condition, what):
         """Lets simulated time go on until the condition holds."""
-        self._poll(condition, what, self.robot.step)
+        self._poll(condition, what, self._step)
+
+    def hold(self, condition, what):
+        """While time stands still, which is said again and again."""
+        self._poll(condition, what, self._say_time)
+
+    def _say_time(self):
+        self.world.set_time(self.world.now)
+        time.sleep(0.01)
+
+    def _step(self):
+        """While a scan runs, time does not get far ahead of the node's."""
+        if self._node_is_behind():
+            self._say_time()
+        else:
+            self.robot.step()
+
+    def _node_is_behind(self):
+        scan = self.newest_scan
+        return (scan is not None and not scan.is_over() and self.node.process.poll() is None
+                and max(scan.begun, scan.node_time) < self.world.now - LEAD)
 
     def _poll(self, condition, what, meanwhile):
         deadline = time.monotonic() + PATIENCE
@@ -159,7 +191,9 @@ class LiveTestCase(unittest.TestCase):
         self.run_robot(lambda: self.world.now >= end, "time")
 
     def begin_scan(self, **goal):
-        return Scan(self.node, msg.ScanPlaceGoal(**goal))
+        self.newest_scan = Scan(self.node, msg.ScanPlaceGoal(**goal), self.world.now)
+        self.addCleanup(self.newest_scan.leave)
+        return self.newest_scan
 
     def finish(self, scan):
         self.run_robot(scan.is_over, "a scan to end")

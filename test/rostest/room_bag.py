@@ -70,17 +70,17 @@ class RoomBag:
             stamp = start + 0.5 + PERIOD * i
             self._add_set(stamp, room, compose(in_room, (0.0, 0.0, i * STEP)),
                           compose(odometry, (0.002 * i, 0.0, i * STEP)), compass_error)
-        # Where the robot looks after the scan is not of the scan.
+        # What the compass says after the scan is not of the scan.
         after = rospy.Time.from_sec(event.end + 0.2)
         self.bag.write("/heading", fake_robot.heading_message(2.0, after), after)
+        self._add_odometry(compose(odometry, (0.002 * i, 0.0, i * STEP)), after,
+                           after + rospy.Duration(0.01))
 
     def _add_set(self, start, room, in_room, odometry, compass_error):
         # Odometry is sent for a little time ahead, as some drivers do.
         first = rospy.Time.from_sec(start)
         for at in (start, start + DWELL):
-            odometry_message = fake_robot.transform("odom", "base_link", odometry,
-                                                    rospy.Time.from_sec(at))
-            self.bag.write("/tf", TFMessage([odometry_message]), first)
+            self._add_odometry(odometry, rospy.Time.from_sec(at), first)
         yaw = in_room[2] + compass_error + self.rng.gauss(0.0, 0.02)
         self.bag.write("/heading", fake_robot.heading_message(yaw, first), first)
         for i in range(SENSORS):
@@ -89,6 +89,10 @@ class RoomBag:
             if self.rng.random() < 0.02:
                 distance = math.nan
             self.bag.write("/sonar", fake_robot.range_message(i, distance, stamp), stamp)
+
+    def _add_odometry(self, pose, stamp, recorded):
+        message = TFMessage([fake_robot.transform("odom", "base_link", pose, stamp)])
+        self.bag.write("/tf", message, recorded)
 
     def write_events(self, path):
         with open(path, "w") as table:
