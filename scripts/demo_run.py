@@ -2,8 +2,7 @@
 """The demonstration: a simulated robot learns a hallway, the hallway changes, the robot comes back.
 
 Two place memories hear the same sonars: one with the default parameters and one by the paper's
-method. The first turns the robot through each scan, the second listens. ROS_MASTER_URI says where
-the demonstration runs a master of its own.
+method. ROS_MASTER_URI says where the demonstration runs a master of its own.
 """
 import argparse
 import contextlib
@@ -18,7 +17,6 @@ import urllib.parse
 import rospkg
 import rospy
 import yaml
-from place_memory.msg import ScanPlaceGoal
 
 from demo_tools import report
 from demo_tools.changes import apply_changes
@@ -60,15 +58,10 @@ class Demonstration:
         self.trials = []
 
     def _scan(self):
-        # One node turns the robot by eleven headings at two degrees. The other one hears the same
-        # sweep from its middle on; in seven wider steps, since its middle is not where
-        # the other one counts from.
-        finish_paper = self._memories[PAPER].begin_scan(turn=ScanPlaceGoal.TURN_LISTEN, headings=7,
-                                                        step=math.radians(3.0))
-        finish_ours = self._memories[OURS].begin_scan(turn=ScanPlaceGoal.TURN_CMD_VEL)
-        grid = finish_ours()
-        finish_paper()
-        return grid
+        with self._driver.sweep():
+            finish = {method: memory.begin_scan() for method, memory in self._memories.items()}
+            finish[PAPER]()
+            return finish[OURS]()
 
     def learn_all(self):
         for count, (label, (x, y)) in enumerate(self._places.items(), 1):
@@ -120,7 +113,7 @@ def load_yaml(path):
 def take_overview(options, config, display, check):
     """A picture of the whole map, by a second rviz."""
     overview = os.path.join(options.out, "overview.rviz")
-    write_overview_config(overview, config, focus=(18.6, 0.0), scale=38, height=480)
+    write_overview_config(overview, config, focus=(19.4, 0.0), scale=36, height=540)
     command = ["rviz", "--splash-screen", "", "-d", overview,
                "__name:=rviz_overview"]
     with Process(command, os.path.join(options.out, "overview.log")) as process:

@@ -1,9 +1,10 @@
 """Drives the simulated robot, as a person who sees the hallway would: by its true pose."""
+import contextlib
 import math
 import threading
 
 import rospy
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry
 
 from demo_tools.waiting import wait_until
@@ -14,6 +15,7 @@ SPEED_GAIN = 1.5       # [1/s]
 TURN_GAIN = 2.5        # [1/s]
 TURN_FIRST = 0.4       # the robot turns on the spot where it looks further off than this [rad]
 NEAR_ENOUGH = 0.02     # [m]
+SWEEP_RATE = 0.08      # a little less than two degrees from one firing of the sonars to the next [rad/s]
 LEG_LIMIT = 120.0      # of real time [s]
 
 
@@ -32,6 +34,7 @@ class Driver:
         self._check = check
         self._lock = threading.Lock()
         self._target = None
+        self._is_sweeping = False
         self._pose = None
         self._command = rospy.Publisher("cmd_vel", Twist, queue_size=1)
         self._subscriber = rospy.Subscriber("sonar_sim/ground_truth", Odometry, self._on_truth,
@@ -47,11 +50,28 @@ class Driver:
         wait_until(lambda: self._target is None, f"the robot's way to ({x:.2f}, {y:.2f})",
                    LEG_LIMIT, self._check)
 
+    @contextlib.contextmanager
+    def sweep(self):
+        """Turns slowly on the spot while the context lasts."""
+        self._set_sweeping(True)
+        try:
+            yield
+        finally:
+            self._set_sweeping(False)
+
+    def _set_sweeping(self, is_sweeping):
+        with self._lock:
+            self._is_sweeping = is_sweeping
+            if not is_sweeping:
+                self._command.publish(Twist())
+
     def _on_truth(self, message):
         position = message.pose.pose.position
         self._pose = (position.x, position.y, yaw_of(message.pose.pose.orientation))
         with self._lock:
-            if self._target is not None:
+            if self._is_sweeping:
+                self._command.publish(Twist(angular=Vector3(z=SWEEP_RATE)))
+            elif self._target is not None:
                 self._command.publish(self._steer(*self._pose))
 
     def _steer(self, x, y, yaw):

@@ -14,6 +14,9 @@ from demo_tools.waiting import wait_until
 START_LIMIT = 60.0  # of real time [s]
 SCAN_LIMIT = 90.0   # of real time [s]
 
+# Of simulated time, which outruns a node on a busy machine.
+SCAN_TIMEOUT = rospy.Duration(600.0)
+
 VERDICTS = {Recognition.UNKNOWN: "unknown", Recognition.AMBIGUOUS: "ambiguous",
             Recognition.RECOGNIZED: "recognized"}
 
@@ -58,10 +61,11 @@ class Memory:
     def _on_grid(self, grid):
         self._grid = grid
 
-    def begin_scan(self, **goal):
-        """Sends the goal and returns, once the node has taken it, a function that waits for the
-        scan's result and returns its grid."""
-        handle = self._scan.send_goal(ScanPlaceGoal(**goal))
+    def begin_scan(self):
+        """Asks for a scan while something else turns the robot. Returns, once the node has taken
+        the goal, a function that waits for the scan's end and returns its grid."""
+        handle = self._scan.send_goal(ScanPlaceGoal(turn=ScanPlaceGoal.TURN_LISTEN,
+                                                    timeout=SCAN_TIMEOUT))
         wait_until(lambda: handle.get_goal_status() != GoalStatus.PENDING,
                    f"the start of {self._name}/scan", START_LIMIT, self._check)
 
