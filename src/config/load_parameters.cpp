@@ -107,7 +107,7 @@ Parameters finish(ParameterReader& reader) {
   if (problems.empty()) checkTogether(parameters, problems);
   try {
     const MatchPreset preset = loadPreset(parameters.match.preset);
-    parameters.match.recognizer.weights = preset.weights;
+    parameters.match.recognizer.metric = preset.metric;
     parameters.match.recognizer.calibration = preset.calibration;
   } catch (const ParameterError& error) {
     problems.insert(problems.end(), error.problems().begin(), error.problems().end());

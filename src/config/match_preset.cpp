@@ -31,7 +31,7 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   MatchPreset preset;
   std::vector<std::string> problems;
   if (!root.IsMap()) throw ParameterError({source + ": must be a table"});
-  if (!root["weights"] || !readWeights(root["weights"], preset.weights)) {
+  if (!root["weights"] || !readWeights(root["weights"], preset.metric.weights)) {
     problems.push_back("weights (" + source +
                        "): must be three rows of three numbers, each in [-1000, 1000]");
   }
@@ -40,8 +40,18 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   root.remove("weights");
   ParameterReader reader;
   reader.add(root, source);
+  reader.number("shift_cost", {0.0, 1e6, true, true}, preset.metric.shift_cost);
+  reader.number("turn_cost", {0.0, 1e6, true, true}, preset.metric.turn_cost);
   reader.number("calibration/scale", {0.0, 1000.0, false, true}, preset.calibration.scale);
-  reader.number("calibration/stranger", {-1e7, 1e7, true, true}, preset.calibration.stranger);
+  reader.number("calibration/bias", {-1000.0, 1000.0, true, true}, preset.calibration.bias);
+  auto& shares = preset.calibration.shares;
+  const Interval any{-1000.0, 1000.0, true, true};
+  reader.number("calibration/empty_on_empty", any, shares[0][0]);
+  reader.number("calibration/empty_on_occupied", any, shares[0][1]);
+  reader.number("calibration/occupied_on_empty", any, shares[1][0]);
+  reader.number("calibration/occupied_on_occupied", any, shares[1][1]);
+  reader.number("calibration/margin", {0.0, 1000.0, true, true}, preset.calibration.margin);
+  reader.number("calibration/others", {0.0, 1.0, true, true}, preset.calibration.others);
   const std::vector<std::string> more = reader.problems();
   problems.insert(problems.end(), more.begin(), more.end());
   if (!problems.empty()) throw ParameterError(problems);

@@ -14,12 +14,12 @@ constexpr int kRestartCells = 5;
 
 class Search {
  public:
-  Search(const QueryPlanes& query, const CellPlanes& learned, const PairWeights& weights,
+  Search(const QueryPlanes& query, const CellPlanes& learned, const LatticeMetric& metric,
          const SearchWindow& window)
-      : query_(query), learned_(learned), weights_(weights), window_(window) {}
+      : query_(query), learned_(learned), metric_(metric), window_(window) {}
 
   Alignment evaluate(CellShift shift, int turn) const {
-    return {shift, turn, pairScore(countPairs(query_.at(turn), shift, learned_), weights_)};
+    return {shift, turn, scoreAt(query_, learned_, metric_, shift, turn)};
   }
 
   Alignment climb(Alignment best) const {
@@ -85,16 +85,23 @@ class Search {
 
   const QueryPlanes& query_;
   const CellPlanes& learned_;
-  const PairWeights& weights_;
+  const LatticeMetric& metric_;
   const SearchWindow& window_;
 };
 
 }  // namespace
 
+double scoreAt(const QueryPlanes& query, const CellPlanes& learned, const LatticeMetric& metric,
+               CellShift shift, int turn) {
+  const int cells = shift.columns * shift.columns + shift.rows * shift.rows;
+  return pairScore(countPairs(query.at(turn), shift, learned), metric.weights) -
+         metric.shift_cost * cells - metric.turn_cost * turn * turn;
+}
+
 Alignment findAlignment(const QueryPlanes& query, const CellPlanes& learned,
-                        const PairWeights& weights, const SearchWindow& window,
+                        const LatticeMetric& metric, const SearchWindow& window,
                         SearchMethod method) {
-  const Search search(query, learned, weights, window);
+  const Search search(query, learned, metric, window);
   switch (method) {
     case SearchMethod::kNearestNeighbour:
       return search.evaluate({0, 0}, 0);

@@ -28,6 +28,8 @@ struct Recipe {
   double heading_window = core::kPi / 4.0;  ///< told to the matcher, in [0, pi] [rad]
   bool any_heading = false;              ///< the robot comes back at any heading, with no compass
   std::optional<sim::LaserModel> laser;  ///< scans with this in place of the robot's sonars
+  /// Comes back instead of the one that learned.
+  std::optional<sim::SimulatedRobot> other_robot;
 };
 
 /// Learns every place of the world, changes the world and scans each place again. The same

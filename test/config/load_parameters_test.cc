@@ -59,7 +59,7 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_EQ(a.match.recognizer.method, b.match.recognizer.method);
   EXPECT_EQ(a.match.recognizer.position_window, b.match.recognizer.position_window);
   EXPECT_EQ(a.match.recognizer.confidence, b.match.recognizer.confidence);
-  EXPECT_EQ(a.match.recognizer.weights, b.match.recognizer.weights);
+  EXPECT_EQ(a.match.recognizer.metric.weights, b.match.recognizer.weights);
   EXPECT_NEAR(a.match.heading_window, b.match.heading_window, 1e-6);
 }
 
@@ -69,7 +69,7 @@ TEST(LoadParameters, FileOfDefaultsHoldsTheDefaults) {
 
   // Those of the struct, but for the preset, which only the parser loads.
   Parameters bare;
-  bare.match.recognizer.weights = loadPreset("evidence").weights;
+  bare.match.recognizer.metric.weights = loadPreset("evidence").metric.weights;
   expectSame(defaults, bare);
 }
 
@@ -94,7 +94,7 @@ match: {preset: paper, method: nearest_neighbour}
   EXPECT_EQ(p.scan.turn, Turn::kCmdVel);
   EXPECT_TRUE(p.scan.over_range_is_no_echo);
   EXPECT_EQ(p.match.recognizer.method, core::SearchMethod::kNearestNeighbour);
-  EXPECT_EQ(p.match.recognizer.weights, core::kPaperWeights);
+  EXPECT_EQ(p.match.recognizer.metric.weights, core::kPaperWeights);
   EXPECT_EQ(p.base_frame, "base_link");
   EXPECT_EQ(p.scan.min_readings, Parameters().scan.min_readings);
 }
@@ -203,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"store: [a]", "must be a text, not a list"}));
 
 TEST(MatchPreset, PaperIsOnePointForEachPairOfTheSameClass) {
-  EXPECT_EQ(loadPreset("paper").weights, core::kPaperWeights);
+  EXPECT_EQ(loadPreset("paper").metric.weights, core::kPaperWeights);
 }
 
 TEST(MatchPreset, BuiltInPresetsAreTheFiles) {
@@ -211,9 +211,9 @@ TEST(MatchPreset, BuiltInPresetsAreTheFiles) {
     const MatchPreset file =
         loadPreset(PLACE_MEMORY_SOURCE_DIR "/config/presets/" + name + ".yaml");
     const MatchPreset built_in = loadPreset(name);
-    EXPECT_EQ(built_in.weights, file.weights) << name;
+    EXPECT_EQ(built_in.metric.weights, file.metric.weights) << name;
     EXPECT_EQ(built_in.calibration.scale, file.calibration.scale) << name;
-    EXPECT_EQ(built_in.calibration.stranger, file.calibration.stranger) << name;
+    EXPECT_EQ(built_in.calibration.shares, file.calibration.shares) << name;
   }
 }
 
@@ -228,15 +228,15 @@ TEST_P(MalformedPreset, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     MatchPreset, MalformedPreset,
     testing::Values("", "[", "evidence", "weights: 1", "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
-                    "calibration: {scale: 0.1, stranger: 1}",
-                    "weights: [[1, 0, 0], [0, 1, 0]]\ncalibration: {scale: 0.1, stranger: 1}",
-                    "weights: [[1, 0], [0, 1], [0, 0]]\ncalibration: {scale: 0.1, stranger: 1}",
+                    "calibration: {scale: 0.1, bias: 1}",
+                    "weights: [[1, 0, 0], [0, 1, 0]]\ncalibration: {scale: 0.1, bias: 1}",
+                    "weights: [[1, 0], [0, 1], [0, 0]]\ncalibration: {scale: 0.1, bias: 1}",
                     "weights: [[1, 0, x], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, stranger: 1}",
+                    "calibration: {scale: 0.1, bias: 1}",
                     "weights: [[1, 0, .nan], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, stranger: 1}",
+                    "calibration: {scale: 0.1, bias: 1}",
                     "weights: [[1, 0, 2000], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, stranger: 1}",
+                    "calibration: {scale: 0.1, bias: 1}",
                     "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
                     "calibration: {scale: 0, stranger: 1}",
                     "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"

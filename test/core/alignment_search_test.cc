@@ -38,7 +38,7 @@ Trial randomTrial(unsigned seed, double metres, double radians) {
 Alignment align(const Trial& trial, const SearchWindow& window, SearchMethod method,
                 const PairWeights& weights = kWeights) {
   const QueryPlanes query(trial.recognition, kStep, window.turns);
-  return findAlignment(query, trial.learned, weights, window, method);
+  return findAlignment(query, trial.learned, {weights, 0.0, 0.0}, window, method);
 }
 
 double scoreAt(const QueryPlanes& query, const CellPlanes& learned, CellShift shift, int turn) {

@@ -17,7 +17,7 @@ constexpr SearchMethod kMethods[] = {SearchMethod::kNearestNeighbour, SearchMeth
 
 RecognizerOptions usualOptions() {
   RecognizerOptions options;
-  options.weights = {{{1.0, 0.0, -1.0}, {0.0, 0.0, -1.0}, {-2.0, -1.0, 3.0}}};
+  options.metric.weights = {{{1.0, 0.0, -1.0}, {0.0, 0.0, -1.0}, {-2.0, -1.0, 3.0}}};
   return options;
 }
 
@@ -227,9 +227,9 @@ TEST(Recognizer, AScanThatSensedNothingIsNotRecognized) {
   for (const int count : {1, 5}) {
     const PlaceIndex places = rooms(count);
     for (const SearchMethod method : kMethods) {
-      for (const PairWeights& weights : {kPaperWeights, usualOptions().weights}) {
+      for (const PairWeights& weights : {kPaperWeights, usualOptions().metric.weights}) {
         RecognizerOptions options = optionsWith(method);
-        options.weights = weights;
+        options.metric.weights = weights;
         const Recognition recognition = Recognizer(options).recognize(Scan(), places, kWindow);
         expectValid(recognition, places);
         EXPECT_NE(recognition.verdict, Verdict::kRecognized);

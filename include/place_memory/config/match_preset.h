@@ -10,7 +10,7 @@ namespace place_memory::config {
 
 /// What was fitted together, and is chosen together by `match/preset`.
 struct MatchPreset {
-  core::PairWeights weights{};
+  core::MatchMetric metric;
   core::Calibration calibration;
 };
 

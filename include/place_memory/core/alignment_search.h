@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_CORE_ALIGNMENT_SEARCH_H
 #define PLACE_MEMORY_CORE_ALIGNMENT_SEARCH_H
 
+#include "place_memory/core/lattice.h"
 #include "place_memory/core/query_planes.h"
 #include "place_memory/core/recognizer_options.h"
 
@@ -13,16 +14,13 @@ struct Alignment {
   double score = 0.0;
 };
 
-/// The transforms that are searched.
-struct SearchWindow {
-  int cells = 0;          ///< shifts along x and y in [-cells, cells]
-  int turns = 0;          ///< turns in [-turns, turns]
-  bool circular = false;  ///< every heading is searched: turn `turns` is turn `-turns` once more
-};
+/// What an alignment scores.
+double scoreAt(const QueryPlanes& query, const CellPlanes& learned, const LatticeMetric& metric,
+               CellShift shift, int turn);
 
 /// The best alignment of the recognition grid with one learned grid that the method finds.
 Alignment findAlignment(const QueryPlanes& query, const CellPlanes& learned,
-                        const PairWeights& weights, const SearchWindow& window,
+                        const LatticeMetric& metric, const SearchWindow& window,
                         SearchMethod method);
 
 }  // namespace place_memory::core

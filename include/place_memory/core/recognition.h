@@ -27,7 +27,8 @@ struct PlaceMatch {
 /// The answer to one scan.
 struct Recognition {
   Verdict verdict = Verdict::kUnknown;
-  std::vector<PlaceMatch> matches;  ///< every place, best first; equal scores: lower id first
+  /// Every place: the chosen one first, the others by falling score; equal scores: lower id first.
+  std::vector<PlaceMatch> matches;
   /// Robot's base at the end of the scan, in the map frame, by the best match (paper 9); identity
   /// where there is no match.
   Pose2d map_from_robot;

@@ -1,7 +1,8 @@
 #ifndef PLACE_MEMORY_CORE_RECOGNIZER_OPTIONS_H
 #define PLACE_MEMORY_CORE_RECOGNIZER_OPTIONS_H
 
-#include "place_memory/core/pair_metric.h"
+#include "place_memory/core/match_metric.h"
+#include "place_memory/core/verdict.h"
 
 namespace place_memory::core {
 
@@ -13,16 +14,9 @@ enum class SearchMethod {
   kExhaustive,        ///< every transform in the window: the oracle
 };
 
-/// From scores to probabilities: each place's odds are exp(scale * score), against exp(scale *
-/// stranger) for being at no learned place.
-struct Calibration {
-  double scale = 0.05;      ///< [1 / score], > 0
-  double stranger = 150.0;  ///< score at which a lone place is as likely as none
-};
-
 struct RecognizerOptions {
   SearchMethod method = SearchMethod::kRestarts;
-  PairWeights weights = kPaperWeights;
+  MatchMetric metric;
   Calibration calibration;
   double position_window = 1.2;  ///< largest shift sought along x and along y [m], > 0
   double confidence = 0.8;       ///< probability from which a place is RECOGNIZED, in (0.5, 1)

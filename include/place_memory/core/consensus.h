@@ -1,0 +1,32 @@
+#ifndef PLACE_MEMORY_CORE_CONSENSUS_H
+#define PLACE_MEMORY_CORE_CONSENSUS_H
+
+#include <cstddef>
+#include <vector>
+
+#include "place_memory/core/pose2d.h"
+
+namespace place_memory::core {
+
+/// Where one place's alignment puts the robot.
+struct Opinion {
+  double score = 0.0;
+  double shift = 0.0;    ///< of the alignment: how far from the place the robot would stand [m]
+  Pose2d map_from_scan;  ///< the pose of the scan frame that follows
+};
+
+/// What the opinions, best score first, come to.
+struct Consensus {
+  std::size_t chosen = 0;
+  double runner_up = 0.0;  ///< best score of those that contradict the chosen one, at least 0
+};
+
+/// Neighbouring places see the same walls, so several may align rightly with one scan. Those that
+/// put the robot at the same spot as the best one do not contradict it, and of them the place is
+/// chosen that the robot stands nearest to (paper 7: a place is the region about its location). The
+/// best few are heard. `opinions` is not empty.
+Consensus findConsensus(const std::vector<Opinion>& opinions, double cell_size);
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_CONSENSUS_H

@@ -1,0 +1,20 @@
+#ifndef PLACE_MEMORY_CORE_MATCH_METRIC_H
+#define PLACE_MEMORY_CORE_MATCH_METRIC_H
+
+#include "place_memory/core/pair_metric.h"
+
+namespace place_memory::core {
+
+/// What an alignment scores: the points of all pairs of corresponding cells (paper 4), less what
+/// transforms cost that are far from where the robot is expected to stand.
+struct MatchMetric {
+  PairWeights weights = kPaperWeights;
+  double shift_cost = 0.0;  ///< for each square metre of shift [points / m^2], >= 0
+  /// For a turn to the edge of the heading window, growing with its square [points], >= 0. Free
+  /// where every heading is sought.
+  double turn_cost = 0.0;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_MATCH_METRIC_H

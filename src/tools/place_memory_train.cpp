@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <atomic>
+#include <boost/program_options.hpp>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "place_memory/config/match_preset.h"
+#include "progress_bar.h"
+#include "training/calibration_fit.h"
+#include "training/candidates.h"
+#include "training/preset_file.h"
+#include "training/ranking_fit.h"
+#include "training/strangers.h"
+#include "training/training_worlds.h"
+#include "trials/episode_file.h"
+
+namespace {
+
+namespace options = boost::program_options;
+using place_memory::config::MatchPreset;
+using place_memory::trials::TrialSet;
+using namespace place_memory::training;
+
+/// Alignments found under earlier weights stay in the fit, so that it does not forget them.
+constexpr int kRounds = 3;
+constexpr double kRidge = 1e-4;
+/// A place this near is no stranger: its grid shows the same walls [m].
+constexpr double kStrangerDistance = 2.5;
+constexpr double kConfidence = 0.8;
+
+struct Settings {
+  std::uint64_t seeds = 150;
+  std::uint64_t held_back = 60;
+  std::vector<std::string> episodes;
+  std::string start = "evidence";
+  std::string origin;
+  std::string out;
+  bool calibrate_only = false;
+};
+
+Settings parse(int argc, char** argv) {
+  Settings settings;
+  options::options_description described(
+      "Fits a matching preset on simulated buildings and writes it as YAML. Seeds 0 to N-1 are "
+      "fitted on, two thirds of them for the metric and the rest for the calibration; the seeds "
+      "behind them are held back and reported on.\nOptions");
+  described.add_options()("help", "print this");
+  described.add_options()("out", options::value(&settings.out)->required(), "YAML file to write");
+  described.add_options()("seeds", options::value(&settings.seeds)->default_value(150),
+                          "buildings to fit on, at least 3");
+  described.add_options()("held-back", options::value(&settings.held_back)->default_value(60),
+                          "buildings to report on, at least 2");
+  described.add_options()("episodes", options::value(&settings.episodes)->multitoken(),
+                          "recorded scans to fit the metric on as well");
+  described.add_options()("start", options::value(&settings.start)->default_value("evidence"),
+                          "preset to start from");
+  described.add_options()("calibrate-only", options::bool_switch(&settings.calibrate_only),
+                          "keep the metric of the preset to start from");
+  options::variables_map given;
+  options::store(options::parse_command_line(argc, argv, described), given);
+  if (given.count("help") != 0) {
+    std::cout << described;
+    std::exit(0);
+  }
+  options::notify(given);
+  if (settings.seeds < 3) throw std::runtime_error("--seeds must be at least 3");
+  if (settings.held_back < 2) throw std::runtime_error("--held-back must be at least 2");
+  settings.origin = "Written by place_memory_train --seeds " + std::to_string(settings.seeds) +
+                    " --held-back " + std::to_string(settings.held_back) + " --start " +
+                    settings.start + (settings.calibrate_only ? " --calibrate-only" : "");
+  return settings;
+}
+
+/// Calls work(i) for every i below count, on all processors.
+template <typename Work>
+void forEach(std::size_t count, const std::string& what, const Work& work) {
+  place_memory::tools::ProgressBar bar(count, what, std::cerr);
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::size_t done = 0;
+  std::vector<std::thread> threads;
+  for (unsigned t = 0; t < std::max(1U, std::thread::hardware_concurrency()); ++t) {
+    threads.emplace_back([&] {
+      for (std::size_t i = next++; i < count; i = next++) {
+        work(i);
+        const std::lock_guard<std::mutex> lock(mutex);
+        bar.show(++done);
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  bar.finish();
+}
+
+std::vector<TrialSet> simulate(std::uint64_t first, std::uint64_t count) {
+  std::vector<TrialSet> sets(count);
+  forEach(count, "buildings", [&](std::size_t i) { sets[i] = trainingSet(first + i); });
+  return sets;
+}
+
+using Lists = std::vector<CandidateList>;
+
+std::vector<Lists> align(const std::vector<TrialSet>& sets, const Features& weights) {
+  static const place_memory::core::SonarModel model{{}};
+  std::vector<Lists> lists(sets.size());
+  const auto metric = asMetric(weights);
+  forEach(sets.size(), "buildings matched",
+          [&](std::size_t i) { lists[i] = alignAll(sets[i], model, metric); });
+  return lists;
+}
+
+Lists joined(const std::vector<Lists>& parts) {
+  Lists all;
+  for (const Lists& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// The right places as they are aligned now, the wrong ones as they ever were.
+void mergeRound(const Lists& round, Lists& merged) {
+  if (merged.empty()) {
+    merged = round;
+    return;
+  }
+  for (std::size_t i = 0; i < round.size(); ++i) {
+    auto& candidates = merged[i].candidates;
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                    [](const Candidate& candidate) { return candidate.at_truth; }),
+                     candidates.end());
+    candidates.insert(candidates.end(), round[i].candidates.begin(), round[i].candidates.end());
+  }
+}
+
+Features fitMetric(const std::vector<TrialSet>& sets, Features weights) {
+  Lists merged;
+  for (int round = 1; round <= kRounds; ++round) {
+    const Lists lists = joined(align(sets, weights));
+    mergeRound(lists, merged);
+    weights = fitRanking(merged, weights, kRidge);
+    std::cout << "round " << round << ": " << lists.size() << " scans, loss "
+              << rankingLoss(lists, weights) << ", top-1 " << topOne(lists, weights) << std::endl;
+  }
+  return weights;
+}
+
+/// Scans of places that are not in the memory: places left out, and places of the next building.
+Lists strangersTo(const std::vector<TrialSet>& sets, const std::vector<Lists>& aligned,
+                  const Features& weights) {
+  const place_memory::core::SonarModel model{{}};
+  const auto metric = asMetric(weights);
+  std::vector<Lists> strangers(2 * sets.size());
+  forEach(sets.size(), "memories put to strangers", [&](std::size_t i) {
+    strangers[2 * i] = withoutNearPlaces(sets[i], aligned[i], kStrangerDistance);
+    for (std::size_t step = 1; step < sets.size(); ++step) {
+      const TrialSet& elsewhere = sets[(i + step) % sets.size()];
+      if (elsewhere.cell_size != sets[i].cell_size) continue;
+      strangers[2 * i + 1] = alignStrangers(sets[i], elsewhere, model, metric);
+      break;
+    }
+  });
+  return joined(strangers);
+}
+
+int train(const Settings& settings) {
+  MatchPreset preset = place_memory::config::loadPreset(settings.start);
+  const std::uint64_t for_metric = settings.seeds * 2 / 3;
+  Features weights = asWeights(preset.metric);
+  if (!settings.calibrate_only) {
+    std::vector<TrialSet> sets = simulate(0, for_metric);
+    for (const std::string& path : settings.episodes) {
+      sets.push_back(place_memory::trials::readEpisodeFile(path));
+    }
+    weights = fitMetric(sets, weights);
+    preset.metric = asMetric(weights);
+    weights = asWeights(preset.metric);
+  }
+
+  const std::vector<TrialSet> sets = simulate(for_metric, settings.seeds - for_metric);
+  const std::vector<Lists> aligned = align(sets, weights);
+  preset.calibration =
+      fitCalibration(joined(aligned), strangersTo(sets, aligned, weights), weights);
+  writePreset(settings.out, settings.origin, preset);
+
+  const std::vector<TrialSet> others = simulate(settings.seeds, settings.held_back);
+  const std::vector<Lists> held_back = align(others, weights);
+  const CalibrationReport report =
+      reportCalibration(joined(held_back), strangersTo(others, held_back, weights), weights,
+                        preset.calibration, kConfidence);
+  std::cout << "held back: loss " << rankingLoss(joined(held_back), weights) << ", top-1 "
+            << topOne(joined(held_back), weights) << "; with confidence " << kConfidence
+            << ": recognized and right " << report.recognized << ", recognized and wrong "
+            << report.wrong << ", strangers accepted " << report.accepted
+            << "; expected calibration error " << report.calibration_error << "\nwrote "
+            << settings.out << std::endl;
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return train(parse(argc, argv));
+  } catch (const std::exception& error) {
+    std::cerr << "place_memory_train: " << error.what() << '\n';
+    return 1;
+  }
+}

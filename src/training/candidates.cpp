@@ -1,0 +1,124 @@
+#include "training/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "place_memory/core/alignment_search.h"
+#include "place_memory/core/lattice.h"
+
+namespace place_memory::training {
+namespace {
+
+Features featuresAt(const core::QueryPlanes& query, const core::CellPlanes& learned,
+                    const core::Alignment& at, const core::SearchWindow& window, double cell_size) {
+  const core::PairCounts counts = core::countPairs(query.at(at.turn), at.shift, learned);
+  Features features;
+  Eigen::Index i = 0;
+  for (const auto& row : counts) {
+    for (const int count : row) features[i++] = count;
+  }
+  const int cells = at.shift.columns * at.shift.columns + at.shift.rows * at.shift.rows;
+  features[i++] = cells * cell_size * cell_size;
+  const double turn = window.turns > 0 ? static_cast<double>(at.turn) / window.turns : 0.0;
+  features[i] = window.circular ? 0.0 : turn * turn;
+  return features;
+}
+
+/// An alignment this near to the truth is right [cells, heading steps].
+constexpr double kAtTruth = 3.5;
+
+class Memory {
+ public:
+  Memory(const trials::TrialSet& set, const core::SonarModel& model,
+         const core::MatchMetric& metric)
+      : set_(set), model_(model), metric_(metric) {
+    for (const trials::LearnedScan& scan : set.learned) {
+      places_.emplace_back(model.build(scan.readings, {set.cell_size}));
+    }
+  }
+
+  CandidateList align(const trials::RecognitionTrial& trial) const {
+    const core::EvidenceGrid grid = model_.build(trial.readings, {set_.cell_size});
+    const core::RecognizerOptions options;
+    const core::SearchWindow window =
+        core::searchWindow(options.position_window, trial.heading_window, set_.cell_size);
+    const core::QueryPlanes query(grid, core::kHeadingStep, window.turns);
+    const core::LatticeMetric metric = core::onLattice(metric_, window, set_.cell_size);
+    CandidateList list;
+    list.cell_size = set_.cell_size;
+    list.own = featuresAt(query, core::CellPlanes(grid), {}, window, set_.cell_size);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const core::Alignment found =
+          core::findAlignment(query, places_[i], metric, window, core::SearchMethod::kRestarts);
+      const auto& accept = trial.accept;
+      const bool right =
+          std::find(accept.begin(), accept.end(), set_.learned[i].label) != accept.end();
+      const core::Pose2d place_from_scan{found.shift.columns * set_.cell_size,
+                                         found.shift.rows * set_.cell_size,
+                                         core::wrapAngle(found.turn * core::kHeadingStep)};
+      const core::Pose2d map_from_scan = set_.learned[i].map_from_scan * place_from_scan;
+      const bool at_truth = right || (!accept.empty() && near(map_from_scan, trial.map_from_scan));
+      list.candidates.push_back({i, right, at_truth, place_from_scan, map_from_scan,
+                                 featuresAt(query, places_[i], found, window, set_.cell_size)});
+    }
+    return list;
+  }
+
+ private:
+  bool near(const core::Pose2d& a, const core::Pose2d& b) const {
+    return std::hypot(a.x - b.x, a.y - b.y) <= kAtTruth * set_.cell_size &&
+           std::abs(core::wrapAngle(a.yaw - b.yaw)) <= kAtTruth * core::kHeadingStep;
+  }
+
+  const trials::TrialSet& set_;
+  const core::SonarModel& model_;
+  const core::MatchMetric& metric_;
+  std::vector<core::CellPlanes> places_;
+};
+
+}  // namespace
+
+Features asWeights(const core::MatchMetric& metric) {
+  Features weights;
+  Eigen::Index i = 0;
+  for (const auto& row : metric.weights) {
+    for (const double weight : row) weights[i++] = weight;
+  }
+  weights[i++] = -metric.shift_cost;
+  weights[i] = -metric.turn_cost;
+  return weights;
+}
+
+core::MatchMetric asMetric(const Features& weights) {
+  core::MatchMetric metric;
+  Eigen::Index i = 0;
+  for (auto& row : metric.weights) {
+    for (double& weight : row) weight = weights[i++];
+  }
+  metric.shift_cost = std::max(-weights[i], 0.0);
+  metric.turn_cost = std::max(-weights[i + 1], 0.0);
+  return metric;
+}
+
+std::vector<CandidateList> alignAll(const trials::TrialSet& set, const core::SonarModel& model,
+                                    const core::MatchMetric& metric) {
+  const Memory memory(set, model, metric);
+  std::vector<CandidateList> lists;
+  for (const trials::RecognitionTrial& trial : set.trials) lists.push_back(memory.align(trial));
+  return lists;
+}
+
+std::vector<CandidateList> alignStrangers(const trials::TrialSet& memory,
+                                          const trials::TrialSet& elsewhere,
+                                          const core::SonarModel& model,
+                                          const core::MatchMetric& metric) {
+  const Memory places(memory, model, metric);
+  std::vector<CandidateList> lists;
+  for (trials::RecognitionTrial trial : elsewhere.trials) {
+    trial.accept.clear();
+    lists.push_back(places.align(trial));
+  }
+  return lists;
+}
+
+}  // namespace place_memory::training
