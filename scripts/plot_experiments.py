@@ -65,6 +65,10 @@ def finish_accuracy(axes, label):
     axes.grid(alpha=0.3)
 
 
+def legend_above(axes, columns):
+    axes.legend(fontsize=8, ncol=columns, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+
+
 def plot_chairs(rows, folder):
     rows = [row for row in rows if row["experiment"] == "chairs"]
     if not rows:
@@ -77,7 +81,7 @@ def plot_chairs(rows, folder):
         axes.plot(range(4), accuracies, color=colour, marker=marker, linestyle=":",
                   markerfacecolor="none", label="the paper's " + title.replace(" (paper)", ""))
     finish_accuracy(axes, "chairs added, seen from two feet away")
-    axes.legend(fontsize=8)
+    legend_above(axes, 3)
     save(figure, folder, "figure_3")
 
 
@@ -131,7 +135,7 @@ def plot_experiments(rows, folder):
                                         for number, case in cases], fontsize=8)
     axes.set_ylabel("accuracy")
     axes.set_ylim(0, 1.04)
-    axes.legend(fontsize=8, loc="lower left", framealpha=0.9)
+    legend_above(axes, 5)
     save(figure, folder, "experiments")
 
 

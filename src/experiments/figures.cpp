@@ -153,7 +153,7 @@ void addShiftedTrial(const Studio& studio, const sim::World& hallway, std::uint6
                      const std::string& name,
                      const std::function<bool(const Answer&, const Answer&)>& is_asked,
                      std::vector<GridFigure>& figures) {
-  constexpr std::uint64_t kSeeds = 5;
+  constexpr std::uint64_t kSeeds = 40;
   for (std::uint64_t i = 0; i < kSeeds; ++i) {
     const Batch batch =
         simulateBatch(hallway, {}, hallwayRecipe(kTwoFeet), Sensor::kSonar, seed + i, 0);

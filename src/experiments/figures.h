@@ -11,7 +11,7 @@ namespace place_memory::experiments {
 
 /// Learned and recognition grids after the paper's figures 1, 2, 5 and 7 to 9. Captions tell what
 /// the methods answer. Figures 8 and 9 show the first trials, from `seed` on, that go as the
-/// paper's did; where none does within a few seeds, there is no such figure.
+/// paper's did; where none does within forty seeds, there is no such figure.
 std::vector<GridFigure> gridFigures(const ShippedWorlds& worlds, const Method& nearest,
                                     const Method& climbing, const Method& ours, std::uint64_t seed);
 

@@ -163,12 +163,19 @@ std::vector<Outcome> runWithBar(const std::string& what, const std::vector<Exper
   return outcomes;
 }
 
+void describeRun(const RunOptions& run, std::ostream& output) {
+  output << "Each row below is over the seeds " << run.first_seed << " to "
+         << run.first_seed + run.seeds - 1 << "; exhaustive search ran on the first "
+         << std::min(run.slow_seeds, run.seeds) << " of them.\n";
+}
+
 void compare(const Arguments& arguments, const ShippedWorlds& worlds,
              const std::vector<Method>& methods) {
   const std::vector<Experiment> experiments = chosenExperiments(arguments, worlds);
   if (experiments.empty()) return;
   const std::vector<Outcome> outcomes =
       runWithBar("experiments", experiments, methods, arguments.run);
+  write(arguments.out + "/run.md", [&](std::ostream& file) { describeRun(arguments.run, file); });
   writeCsv(arguments, "answers", answerTable(outcomes));
   writeCsv(arguments, "summary", summaryTable(outcomes));
   writeCsv(arguments, "reliability", reliabilityTable(outcomes));

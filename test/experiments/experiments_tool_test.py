@@ -14,7 +14,7 @@ import unittest
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 WORLDS = os.path.join(ROOT, "config", "worlds")
 TOOL = sys.argv.pop(1)
-TINY = ["--worlds", WORLDS, "--experiments", "1,4", "--seeds", "1", "--methods",
+TINY = ["--experiments", "1,4", "--seeds", "1", "--methods",
         "nearest_neighbour,hill_climbing,default"]
 
 
@@ -32,7 +32,8 @@ class TinyRun(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.out = os.path.join(cls.folder.name, "out")
-        cls.answer = run(TOOL, "--out", cls.out, "--sweeps", "chairs", "--figures", *TINY)
+        cls.answer = run(TOOL, "--out", cls.out, "--sweeps", "chairs", "--figures",
+                         "--worlds", WORLDS, *TINY)
 
     @classmethod
     def tearDownClass(cls):
@@ -95,9 +96,9 @@ class TinyRun(unittest.TestCase):
 
 
 class WrongArguments(unittest.TestCase):
-    def refused(self, words, *arguments):
+    def refused(self, words, *arguments, worlds=WORLDS):
         with tempfile.TemporaryDirectory() as folder:
-            answer = run(TOOL, "--out", folder, "--worlds", WORLDS, *arguments)
+            answer = run(TOOL, "--out", folder, "--worlds", worlds, *arguments)
         self.assertEqual(answer.returncode, 1)
         self.assertIn(words, answer.stderr)
 
@@ -120,7 +121,7 @@ class WrongArguments(unittest.TestCase):
         self.refused("threads", "--threads", "100000")
 
     def test_no_such_worlds(self):
-        self.refused("nowhere", "--experiments", "none", "--worlds", "/nowhere")
+        self.refused("nowhere", "--experiments", "none", worlds="/nowhere")
 
     def test_no_such_recording(self):
         self.refused("/nowhere.gz", "--experiments", "none", "--recorded", "/nowhere.gz")
@@ -129,7 +130,7 @@ class WrongArguments(unittest.TestCase):
         self.refused("match/preset", "--preset", "/nowhere.yaml")
 
     def test_nowhere_to_write(self):
-        answer = run(TOOL, "--out", "/proc/nowhere", *TINY)
+        answer = run(TOOL, "--out", "/proc/nowhere", "--worlds", WORLDS, *TINY)
         self.assertEqual(answer.returncode, 1)
         self.assertIn("/proc/nowhere", answer.stderr)
 
