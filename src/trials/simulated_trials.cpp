@@ -48,7 +48,7 @@ class Simulation {
     const double yaw = recipe_.any_heading ? uniform(rng, -core::kPi, core::kPi) : 0.0;
     const double error = driftAt(place.position.x);
     const Pose2d base{place.position.x, place.position.y, yaw};
-    return {place.label, scanFrame(base, error), scan(world_, scene_, base, error, rng)};
+    return {place.label, scanFrame(base, error), scan(robot_, world_, scene_, base, error, rng)};
   }
 
   RecognitionTrial recognize(std::size_t index) {
@@ -68,7 +68,7 @@ class Simulation {
     trial.accept = nearestPlaces(base);
     trial.map_from_scan = scanFrame(base, error);
     trial.heading_window = recipe_.any_heading ? core::kPi : recipe_.heading_window;
-    trial.readings = scan(world, own_scene, base, error, rng);
+    trial.readings = scan(recipe_.other_robot.value_or(robot_), world, own_scene, base, error, rng);
     return trial;
   }
 
@@ -133,8 +133,9 @@ class Simulation {
     return labels;
   }
 
-  std::vector<core::SonarReading> scan(const sim::World& world, const sim::Scene& scene,
-                                       const Pose2d& base, double error, Rng& rng) const {
+  std::vector<core::SonarReading> scan(const sim::SimulatedRobot& robot, const sim::World& world,
+                                       const sim::Scene& scene, const Pose2d& base, double error,
+                                       Rng& rng) const {
     std::optional<sim::Crowd> crowd;
     if (recipe_.people > 0) {
       crowd = sim::Crowd::passing(world, {base.x, base.y}, recipe_.people, rng);
@@ -144,7 +145,7 @@ class Simulation {
       const std::vector<sim::Circle> people = crowd ? crowd->circles() : std::vector<sim::Circle>();
       readings = sim::simulateLaserScan(scene, people, base, error, *recipe_.laser, rng);
     } else {
-      readings = sim::simulateScan(scene, base, error, robot_, crowd ? &*crowd : nullptr, rng);
+      readings = sim::simulateScan(scene, base, error, robot, crowd ? &*crowd : nullptr, rng);
     }
     const auto lost = [&](const core::SonarReading&) {
       return sim::chance(rng, recipe_.readings_lost);
