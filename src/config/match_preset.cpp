@@ -51,6 +51,7 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   reader.number("calibration/occupied_on_empty", any, shares[1][0]);
   reader.number("calibration/occupied_on_occupied", any, shares[1][1]);
   reader.number("calibration/margin", {0.0, 1000.0, true, true}, preset.calibration.margin);
+  reader.number("calibration/sharpness", {0.0, 1000.0, true, true}, preset.calibration.sharpness);
   reader.number("calibration/others", {0.0, 1.0, true, true}, preset.calibration.others);
   const std::vector<std::string> more = reader.problems();
   problems.insert(problems.end(), more.begin(), more.end());

@@ -1,11 +1,13 @@
 #include "place_memory/core/recognizer.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "place_memory/core/alignment_search.h"
 #include "place_memory/core/consensus.h"
+#include "place_memory/core/pose_estimate.h"
 
 namespace place_memory::core {
 namespace {
@@ -40,12 +42,33 @@ Consensus consensusOf(const std::vector<Found>& all, double cell_size) {
   return findConsensus(opinions, cell_size);
 }
 
+/// The robot's pose and its covariance, turned from the place's frame into the map's (paper 9).
+void locate(const Scan& scan, const Found& best, const PoseEstimate& estimate,
+            Recognition& recognition) {
+  recognition.matches.front().place_from_scan = estimate.place_from_scan;
+  recognition.map_from_robot =
+      best.entry->map_from_place * estimate.place_from_scan * scan.robot_in_scan;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() =
+      Eigen::Rotation2Dd(best.entry->map_from_place.yaw).toRotationMatrix();
+  const Eigen::Matrix3d covariance = turn * estimate.covariance * turn.transpose();
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    for (Eigen::Index column = 0; column < 3; ++column) {
+      recognition.covariance[static_cast<std::size_t>(3 * row + column)] = covariance(row, column);
+    }
+  }
+}
+
 }  // namespace
 
 Recognizer::Recognizer(const RecognizerOptions& options) : options_(options) {
   require(options.position_window > 0.0 && std::isfinite(options.position_window),
           "position_window must be above 0 m");
-  require(options.calibration.scale > 0.0, "calibration scale must be above 0");
+  for (const auto& row : options.metric.weights) {
+    for (const double weight : row) require(std::isfinite(weight), "weights must be finite");
+  }
+  require(options.calibration.scale > 0.0 && std::isfinite(options.calibration.scale),
+          "calibration scale must be above 0");
   require(options.confidence > 0.5 && options.confidence < 1.0, "confidence must lie in (0.5, 1)");
 }
 
@@ -54,7 +77,9 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
   require(heading_window >= 0.0 && heading_window <= kPi + 1e-6,
           "heading_window must lie in [0, pi]");
   const double cell_size = scan.grid.geometry().cell_size;
-  const SearchWindow window = searchWindow(options_.position_window, heading_window, cell_size);
+  const bool moves = options_.method != SearchMethod::kNearestNeighbour;
+  const SearchWindow window =
+      moves ? searchWindow(options_.position_window, heading_window, cell_size) : SearchWindow{};
   const LatticeMetric metric = onLattice(options_.metric, window, cell_size);
   const QueryPlanes query(scan.grid, kHeadingStep, window.turns);
 
@@ -88,12 +113,10 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
     const double lead = best.alignment.score - consensus.runner_up;
     judge(agreementOf(at, own), lead, options_.calibration, options_.confidence, recognition);
   }
-  recognition.map_from_robot = all.front().entry->map_from_place *
-                               recognition.matches.front().place_from_scan * scan.robot_in_scan;
-  const double position_variance = cell_size * cell_size;
-  const double heading_variance = kHeadingStep * kHeadingStep;
-  recognition.covariance = {position_variance, 0, 0, 0, position_variance, 0, 0, 0,
-                            heading_variance};
+  locate(scan, all.front(),
+         estimatePose(query, all.front().entry->planes, metric, window, all.front().alignment,
+                      cell_size, options_.calibration.sharpness),
+         recognition);
   return recognition;
 }
 

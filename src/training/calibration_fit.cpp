@@ -104,27 +104,13 @@ Regressors fitLogistic(const std::vector<Sample>& samples) {
   return coefficients;
 }
 
-/// The factor on the scores that makes their softmax likeliest on these scans.
-double fitScale(const std::vector<CandidateList>& known, const Features& weights) {
-  double best = 1.0, least = INFINITY;
-  for (double exponent = -6.0; exponent <= 2.0; exponent += 0.125) {
-    const double scale = std::exp2(exponent);
-    const double loss = rankingLoss(known, scale * weights);
-    if (loss < least) {
-      least = loss;
-      best = scale;
-    }
-  }
-  return best;
-}
-
 }  // namespace
 
 core::Calibration fitCalibration(const std::vector<CandidateList>& known,
                                  const std::vector<CandidateList>& strangers,
                                  const Features& weights) {
   core::Calibration calibration;
-  calibration.scale = fitScale(known, weights);
+  calibration.scale = bestScale(known, weights);
   const std::vector<Sample> samples = samplesOf(known, strangers, weights, calibration.scale);
   const Regressors coefficients = fitLogistic(samples);
   calibration.bias = coefficients[0];

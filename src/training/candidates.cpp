@@ -46,6 +46,7 @@ class Memory {
     const core::LatticeMetric metric = core::onLattice(metric_, window, set_.cell_size);
     CandidateList list;
     list.cell_size = set_.cell_size;
+    list.weight = 1.0 / std::sqrt(static_cast<double>(set_.trials.size()));
     list.own = featuresAt(query, core::CellPlanes(grid), {}, window, set_.cell_size);
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const core::Alignment found =

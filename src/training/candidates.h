@@ -29,6 +29,8 @@ struct Candidate {
 /// All places against one scan.
 struct CandidateList {
   double cell_size = 0.0;  ///< [m]
+  /// Of this scan in a fit: less in a building of many, whose scans have much in common.
+  double weight = 1.0;
   std::vector<Candidate> candidates;
   Features own = Features::Zero();  ///< the scan against itself
 };

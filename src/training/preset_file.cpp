@@ -43,6 +43,8 @@ void writePreset(const std::string& path, const std::string& origin,
       << "  occupied_on_empty: " << number(c.shares[1][0]) << "  # in [-1000, 1000]\n"
       << "  occupied_on_occupied: " << number(c.shares[1][1]) << "  # in [-1000, 1000]\n"
       << "  margin: " << number(c.margin) << "  # in [0, 1000]\n"
+      << "  sharpness: " << number(c.sharpness)
+      << "  # of a pose's likelihood by its score, for the covariance [1 / score], in [0, 1000]\n"
       << "  others: " << number(c.others)
       << "  # share of the remaining probability that the other places get, in [0, 1]\n";
   file.close();

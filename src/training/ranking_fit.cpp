@@ -57,11 +57,11 @@ Features spreadOf(const std::vector<CandidateList>& lists) {
 
 class Objective {
  public:
-  Objective(const std::vector<CandidateList>& lists, double ridge)
-      : lists_(lists), curve_(2.0 * ridge * spreadOf(lists).cwiseAbs2()) {}
+  Objective(const std::vector<CandidateList>& lists, const Features& prior, double ridge)
+      : lists_(lists), prior_(prior), curve_(2.0 * ridge * spreadOf(lists).cwiseAbs2()) {}
 
   double at(const Features& weights) const {
-    return rankingLoss(lists_, weights) + 0.5 * weights.cwiseAbs2().dot(curve_);
+    return rankingLoss(lists_, weights) + 0.5 * (weights - prior_).cwiseAbs2().dot(curve_);
   }
 
   Features newtonStep(const Features& weights) const {
@@ -70,10 +70,10 @@ class Objective {
     double n = 0.0;
     for (const CandidateList& list : lists_) {
       if (!hasRight(list)) continue;
-      n += 1.0;
+      n += list.weight;
       addTrial(list, weights, gradient, hessian);
     }
-    gradient = gradient / n + weights.cwiseProduct(curve_);
+    gradient = gradient / n + (weights - prior_).cwiseProduct(curve_);
     hessian = hessian / n;
     // The part of the right candidates' spread is left out, so that the matrix stays positive.
     hessian.diagonal() += curve_ + Features::Constant(1e-12);
@@ -92,11 +92,12 @@ class Objective {
       right_mean += shares.right[i] * f;
       second += shares.all[i] * f * f.transpose();
     }
-    gradient += mean - right_mean;
-    hessian += second - mean * mean.transpose();
+    gradient += list.weight * (mean - right_mean);
+    hessian += list.weight * (second - mean * mean.transpose());
   }
 
   const std::vector<CandidateList>& lists_;
+  Features prior_;
   Features curve_;
 };
 
@@ -112,15 +113,30 @@ double rankingLoss(const std::vector<CandidateList>& lists, const Features& weig
   double loss = 0.0, n = 0.0;
   for (const CandidateList& list : lists) {
     if (!hasRight(list)) continue;
-    loss -= std::log(std::max(sharesOf(list, weights).right_share, kLeastShare));
-    n += 1.0;
+    loss -= list.weight * std::log(std::max(sharesOf(list, weights).right_share, kLeastShare));
+    n += list.weight;
   }
   return n > 0.0 ? loss / n : 0.0;
 }
 
-Features fitRanking(const std::vector<CandidateList>& lists, const Features& start, double ridge) {
-  const Objective objective(lists, ridge);
-  Features weights = withinBounds(start);
+double bestScale(const std::vector<CandidateList>& lists, const Features& weights) {
+  double best = 1.0, least = INFINITY;
+  for (double exponent = -6.0; exponent <= 2.0; exponent += 0.125) {
+    const double scale = std::exp2(exponent);
+    const double loss = rankingLoss(lists, scale * weights);
+    if (loss < least) {
+      least = loss;
+      best = scale;
+    }
+  }
+  return best;
+}
+
+Features fitRanking(const std::vector<CandidateList>& lists, const Features& prior, double ridge) {
+  const Features start = withinBounds(prior);
+  const Features scaled = bestScale(lists, start) * start;
+  const Objective objective(lists, scaled, ridge);
+  Features weights = scaled;
   double loss = objective.at(weights);
   for (int i = 0; i < kMostSteps; ++i) {
     const Features step = objective.newtonStep(weights);

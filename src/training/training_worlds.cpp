@@ -25,6 +25,7 @@ trials::Recipe randomRecipe(bool arena, sim::Rng& rng) {
   recipe.drift = chance(rng, 0.3) ? uniform(rng, 0.0, 30.0 * kDegree) : 0.0;
   recipe.readings_lost = chance(rng, 0.3) ? uniform(rng, 0.0, 0.3) : 0.0;
   recipe.any_heading = chance(rng, arena ? 0.8 : 0.25);
+  recipe.turn_error = arena ? 0.05 : 0.0;
   return recipe;
 }
 

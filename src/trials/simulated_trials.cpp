@@ -147,11 +147,26 @@ class Simulation {
     } else {
       readings = sim::simulateScan(scene, base, error, robot, crowd ? &*crowd : nullptr, rng);
     }
+    if (recipe_.turn_error > 0.0 && robot.ring.count == 1)
+      misjudgeTurn(base, error, robot, rng, readings);
     const auto lost = [&](const core::SonarReading&) {
       return sim::chance(rng, recipe_.readings_lost);
     };
     readings.erase(std::remove_if(readings.begin(), readings.end(), lost), readings.end());
     return readings;
+  }
+
+  /// What the readings look like to a robot that errs by the same share all through its turn.
+  void misjudgeTurn(const Pose2d& base, double compass_error, const sim::SimulatedRobot& robot,
+                    Rng& rng, std::vector<core::SonarReading>& readings) const {
+    const double share = recipe_.turn_error * sim::normal(rng);
+    const double start = base.yaw + compass_error + robot.ring.first_bearing;
+    const double sign = robot.sweep.step < 0.0 ? -1.0 : 1.0;
+    for (core::SonarReading& reading : readings) {
+      double turned = std::fmod(sign * (reading.sensor_pose.yaw - start), 2.0 * core::kPi);
+      if (turned < 0.0) turned += 2.0 * core::kPi;
+      reading.sensor_pose = Pose2d{0.0, 0.0, sign * share * turned} * reading.sensor_pose;
+    }
   }
 
   const sim::World& world_;

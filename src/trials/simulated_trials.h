@@ -28,6 +28,8 @@ struct Recipe {
   double heading_window = core::kPi / 4.0;  ///< told to the matcher, in [0, pi] [rad]
   bool any_heading = false;              ///< the robot comes back at any heading, with no compass
   std::optional<sim::LaserModel> laser;  ///< scans with this in place of the robot's sonars
+  /// A robot with one sensor turns further than it believes, by this share of the turn [1 sigma].
+  double turn_error = 0.0;
   /// Comes back instead of the one that learned.
   std::optional<sim::SimulatedRobot> other_robot;
 };

@@ -59,7 +59,7 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_EQ(a.match.recognizer.method, b.match.recognizer.method);
   EXPECT_EQ(a.match.recognizer.position_window, b.match.recognizer.position_window);
   EXPECT_EQ(a.match.recognizer.confidence, b.match.recognizer.confidence);
-  EXPECT_EQ(a.match.recognizer.metric.weights, b.match.recognizer.weights);
+  EXPECT_EQ(a.match.recognizer.metric.weights, b.match.recognizer.metric.weights);
   EXPECT_NEAR(a.match.heading_window, b.match.heading_window, 1e-6);
 }
 

@@ -126,7 +126,8 @@ TEST(AlignmentSearch, StaysInsideTheWindowAndTellsTheScoreOfWhatItFound) {
     for (const SearchWindow& window : windows) {
       const QueryPlanes query(trial.recognition, kStep, window.turns);
       for (const SearchMethod method : kMethods) {
-        const Alignment found = findAlignment(query, trial.learned, kWeights, window, method);
+        const Alignment found =
+            findAlignment(query, trial.learned, {kWeights, 0.0, 0.0}, window, method);
         EXPECT_LE(std::abs(found.shift.columns), window.cells);
         EXPECT_LE(std::abs(found.shift.rows), window.cells);
         ASSERT_LE(std::abs(found.turn), window.turns);
@@ -178,7 +179,7 @@ TEST(AlignmentSearch, ExhaustiveFindsTheBestOfAllTransforms) {
     }
   }
   const Alignment found =
-      findAlignment(query, trial.learned, kWeights, window, SearchMethod::kExhaustive);
+      findAlignment(query, trial.learned, {kWeights, 0.0, 0.0}, window, SearchMethod::kExhaustive);
   EXPECT_DOUBLE_EQ(found.score, best);
 }
 

@@ -159,7 +159,7 @@ TEST(Recognizer, TheCovarianceIsSymmetricWithVariancesAboveZero) {
   for (std::size_t r = 0; r < 3; ++r) {
     EXPECT_GT(recognition.covariance[4 * r], 0.0);
     for (std::size_t c = 0; c < 3; ++c) {
-      EXPECT_DOUBLE_EQ(recognition.covariance[3 * r + c], recognition.covariance[3 * c + r]);
+      EXPECT_NEAR(recognition.covariance[3 * r + c], recognition.covariance[3 * c + r], 1e-12);
     }
   }
 }

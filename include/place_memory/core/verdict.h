@@ -21,10 +21,13 @@ Agreement agreementOf(const PairCounts& at, const PairCounts& own);
 /// exp(scale * score).
 struct Calibration {
   double scale = 1.0;  ///< [1 / score], > 0
-  double bias = -4.0;
+  double bias = -6.0;
   Agreement shares{{{2.0, -5.0}, {-5.0, 5.0}}};
   double margin = 1.0;  ///< >= 0
   double others = 0.5;  ///< share, in [0, 1]
+  /// How sharply a pose's likelihood falls with its score, for the pose's covariance [1 / score],
+  /// >= 0.
+  double sharpness = 0.1;
 };
 
 /// Sets the probabilities of the matches, which are ranked, and the verdict: RECOGNIZED where the

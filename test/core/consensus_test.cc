@@ -1,0 +1,50 @@
+#include "place_memory/core/consensus.h"
+
+#include <gtest/gtest.h>
+
+namespace place_memory::core {
+namespace {
+
+constexpr double kCell = 0.14;
+
+TEST(FindConsensus, ALonePlaceIsChosenAndNothingContradictsIt) {
+  const Consensus consensus = findConsensus({{7.0, 0.3, {1.0, 2.0, 0.0}}}, kCell);
+  EXPECT_EQ(consensus.chosen, 0U);
+  EXPECT_EQ(consensus.runner_up, 0.0);
+}
+
+TEST(FindConsensus, OfThoseThatAgreeTheNearestPlaceIsChosen) {
+  const Consensus consensus = findConsensus(
+      {{9.0, 0.9, {1.0, 2.0, 0.0}}, {8.0, 0.2, {1.1, 2.1, 0.1}}, {7.0, 0.4, {0.9, 2.0, 0.0}}},
+      kCell);
+  EXPECT_EQ(consensus.chosen, 1U);
+}
+
+TEST(FindConsensus, APlaceThatPutsTheRobotElsewhereIsNotChosenAndCounts) {
+  const Consensus consensus =
+      findConsensus({{9.0, 0.9, {1.0, 2.0, 0.0}}, {8.0, 0.0, {5.0, 2.0, 0.0}}}, kCell);
+  EXPECT_EQ(consensus.chosen, 0U);
+  EXPECT_EQ(consensus.runner_up, 8.0);
+}
+
+TEST(FindConsensus, AnotherHeadingAtTheSameSpotContradicts) {
+  const Consensus consensus =
+      findConsensus({{9.0, 0.1, {1.0, 2.0, 0.0}}, {8.0, 0.0, {1.0, 2.0, kPi}}}, kCell);
+  EXPECT_EQ(consensus.chosen, 0U);
+  EXPECT_EQ(consensus.runner_up, 8.0);
+}
+
+TEST(FindConsensus, HeadingsAgreeAcrossTheHalfTurn) {
+  const Consensus consensus = findConsensus(
+      {{9.0, 0.5, {1.0, 2.0, kPi - 0.05}}, {8.0, 0.1, {1.0, 2.0, -kPi + 0.05}}}, kCell);
+  EXPECT_EQ(consensus.chosen, 1U);
+}
+
+TEST(FindConsensus, ARunnerUpBelowNothingIsNothing) {
+  const Consensus consensus =
+      findConsensus({{9.0, 0.1, {1.0, 2.0, 0.0}}, {-8.0, 0.0, {9.0, 2.0, 0.0}}}, kCell);
+  EXPECT_EQ(consensus.runner_up, 0.0);
+}
+
+}  // namespace
+}  // namespace place_memory::core

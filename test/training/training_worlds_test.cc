@@ -1,0 +1,74 @@
+#include "training/training_worlds.h"
+
+#include <gtest/gtest.h>
+
+#include "place_memory/config/match_preset.h"
+#include "training/calibration_fit.h"
+#include "training/preset_file.h"
+#include "training/ranking_fit.h"
+#include "training/strangers.h"
+
+namespace place_memory::training {
+namespace {
+
+TEST(TrainingSet, IsTheSameForTheSameSeedAndAnotherForAnother) {
+  const trials::TrialSet a = trainingSet(7), again = trainingSet(7), b = trainingSet(8);
+  ASSERT_EQ(a.trials.size(), again.trials.size());
+  EXPECT_EQ(a.trials.front().readings.front().range, again.trials.front().readings.front().range);
+  EXPECT_EQ(a.name, again.name);
+  EXPECT_NE(a.name, b.name);
+}
+
+TEST(Strangers, HaveNoRightPlaceAndNoneNear) {
+  const trials::TrialSet set = trainingSet(3);
+  const core::SonarModel model{{}};
+  const auto metric = config::loadPreset("evidence").metric;
+  const auto known = alignAll(set, model, metric);
+  ASSERT_EQ(known.size(), set.trials.size());
+  for (const CandidateList& list : withoutNearPlaces(set, known, 2.0)) {
+    EXPECT_LT(list.candidates.size(), set.learned.size());
+    for (const Candidate& candidate : list.candidates) EXPECT_FALSE(candidate.right);
+  }
+}
+
+TEST(FitCalibration, TellsKnownScansFromStrangersBetterThanChance) {
+  const core::SonarModel model{{}};
+  const auto metric = config::loadPreset("evidence").metric;
+  std::vector<CandidateList> known, strangers;
+  for (const std::uint64_t seed : {2U, 3U, 4U}) {
+    const trials::TrialSet set = trainingSet(seed);
+    const auto lists = alignAll(set, model, metric);
+    const auto without = withoutNearPlaces(set, lists, 2.0);
+    known.insert(known.end(), lists.begin(), lists.end());
+    strangers.insert(strangers.end(), without.begin(), without.end());
+  }
+  const Features weights = asWeights(metric);
+  const core::Calibration calibration = fitCalibration(known, strangers, weights);
+  const CalibrationReport report = reportCalibration(known, strangers, weights, calibration, 0.6);
+  EXPECT_GT(report.recognized, report.accepted);
+  EXPECT_LT(report.calibration_error, 0.25);
+}
+
+TEST(WritePreset, IsReadBackAsItWas) {
+  config::MatchPreset preset;
+  preset.metric.weights = {{{0.5, -1.25, 2.0}, {0.0, 0.125, -3.0}, {4.0, -5.5, 6.0}}};
+  preset.metric.shift_cost = 1.5;
+  preset.metric.turn_cost = 2.5;
+  preset.calibration = {0.5, -1.0, {{{0.25, -0.5}, {-0.75, 2.0}}}, 1.25, 0.125, 0.0625};
+  const std::string path = testing::TempDir() + "preset.yaml";
+  writePreset(path, "Written by a test.", preset);
+  const config::MatchPreset read = config::loadPreset(path);
+  EXPECT_EQ(read.metric.weights, preset.metric.weights);
+  EXPECT_EQ(read.metric.shift_cost, 1.5);
+  EXPECT_EQ(read.metric.turn_cost, 2.5);
+  EXPECT_EQ(read.calibration.shares, preset.calibration.shares);
+  EXPECT_EQ(read.calibration.sharpness, 0.0625);
+  EXPECT_EQ(read.calibration.others, 0.125);
+}
+
+TEST(WritePreset, AnUnwritablePathIsAnError) {
+  EXPECT_THROW(writePreset("/nowhere/preset.yaml", "", {}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace place_memory::training
