@@ -41,7 +41,7 @@ constexpr double kConfidence = 0.8;
 
 struct Settings {
   std::uint64_t seeds = 150;
-  std::uint64_t held_back = 60;
+  std::uint64_t held_back = 30;
   std::vector<std::string> episodes;
   std::string start;
   double ridge = 0.0;
@@ -59,11 +59,11 @@ Settings parse(int argc, char** argv) {
   described.add_options()("out", options::value(&settings.out)->required(), "YAML file to write");
   described.add_options()("seeds", options::value(&settings.seeds)->default_value(150),
                           "buildings to fit on, at least 3");
-  described.add_options()("held-back", options::value(&settings.held_back)->default_value(60),
+  described.add_options()("held-back", options::value(&settings.held_back)->default_value(30),
                           "buildings to report on, at least 2");
   described.add_options()("episodes", options::value(&settings.episodes)->multitoken(),
                           "recorded scans to fit the metric on as well");
-  described.add_options()("ridge", options::value(&settings.ridge)->default_value(1e-3),
+  described.add_options()("ridge", options::value(&settings.ridge)->default_value(3e-3),
                           "pull towards the prior weights, >= 0");
   described.add_options()("calibrate", options::value(&settings.start),
                           "keep the metric of this preset, fit its calibration only");
