@@ -35,7 +35,8 @@ NODES = {PAPER: "place_memory_paper", OURS: "place_memory"}
 DISPLAY_SIZE = (1600, 900)  # [pixels]
 RVIZ_TOPICS = ["/place_memory/scan_grid", "/place_memory/matched_grid",
                "/place_memory/place_markers", "/place_memory/pose", "/sonar"]
-PICTURE_AT = "9"  # by the open area
+PICTURE_FROM = 9  # trials before the picture of rviz: then the open area is in view
+OUTPUTS = ["map.png", "rviz.png", "grids.png", "results.csv"]
 START_LIMIT = 60.0  # [s]
 
 
@@ -52,7 +53,7 @@ class Demonstration:
         self._driver = Driver(check)
         self._driver.pose()  # from then on simulated time runs
         self._compass = Compass(check)
-        self._map = MapFrame(check)
+        self._map = MapFrame()
         self._memories = {method: Memory(node, check) for method, node in NODES.items()}
         self.learned = {}
         self.trials = []
@@ -72,13 +73,14 @@ class Demonstration:
             pose = self._driver.pose()
             error = self._compass.error(pose[2])
             self.learned[label] = Learned(label, pose, error, grid)
-            say(f"learned place {label:>2} ({count} of {len(self._places)}) at ({x:5.2f}, {y:5.2f})")
+            say(f"learned place {label:>2} ({count} of {len(self._places)}) "
+                f"at ({x:5.2f}, {y:5.2f})")
 
     def change_world(self):
         say("the world changes: " + apply_changes(self._changes))
 
     def recognize_all(self, after_each):
-        """The way back, from the last place to the first; after_each(trial)."""
+        """The way back, from the last place to the first; after_each(count of trials, trial)."""
         say(report.heading(NODES))
         dx, dy = self._changes["offset"]
         for label, (x, y) in reversed(self._places.items()):
@@ -90,18 +92,15 @@ class Demonstration:
                 trial.answers[method] = self._ask(method, pose)
             self.trials.insert(0, trial)
             say(report.row(trial, self.learned[label]))
-            after_each(trial)
+            after_each(len(self.trials), trial)
 
     def _ask(self, method, pose):
         found = self._memories[method].recognize()
         best = found.matches[0]
-        verdict = VERDICTS[found.verdict]
-        if method == OURS and verdict == "recognized":
-            self._map.correct(found.pose.pose)
         is_right = best.label in right_labels(self._places, pose[0], pose[1])
         error = (position_error(self.learned[best.label], best.transform, pose)
                  if is_right else math.nan)
-        return Answer(best.label, verdict, best.probability, is_right, error,
+        return Answer(best.label, VERDICTS[found.verdict], best.probability, is_right, error,
                       1000.0 * found.match_duration.to_sec())
 
 
@@ -114,8 +113,7 @@ def take_overview(options, config, display, check):
     """A picture of the whole map, by a second rviz."""
     overview = os.path.join(options.out, "overview.rviz")
     write_overview_config(overview, config, focus=(19.4, 0.0), scale=36, height=540)
-    command = ["rviz", "--splash-screen", "", "-d", overview,
-               "__name:=rviz_overview"]
+    command = ["rviz", "--splash-screen", "", "-d", overview, "__name:=rviz_overview"]
     with Process(command, os.path.join(options.out, "overview.log")) as process:
         def check_both():
             check()
@@ -138,11 +136,16 @@ def demonstrate(options, share, display, check):
     take_overview(options, config, display, check)
     demonstration.change_world()
 
-    def after_each(trial):
-        if trial.label == PICTURE_AT:
-            rviz = Rviz(display, config, check)
-            rviz.wait_until_it_hears(RVIZ_TOPICS, "/rviz")
-            rviz.write(os.path.join(options.out, "rviz.png"))
+    picture = os.path.join(options.out, "rviz.png")
+    rviz = Rviz(display, config, check)
+    rviz.wait_until_it_hears(RVIZ_TOPICS, "/rviz")
+
+    def after_each(count, trial):
+        """One picture, of the first place from there on that is recognized."""
+        answer = trial.answers[OURS]
+        is_good = count > PICTURE_FROM and answer.is_right and answer.verdict == "recognized"
+        if (is_good or count == len(places)) and not os.path.exists(picture):
+            rviz.write(picture)
 
     demonstration.recognize_all(after_each)
 
@@ -166,6 +169,9 @@ def master_answers():
 
 def run(options):
     os.makedirs(options.out, exist_ok=True)
+    for name in OUTPUTS:
+        with contextlib.suppress(FileNotFoundError):
+            os.remove(os.path.join(options.out, name))
     share = rospkg.RosPack().get_path("place_memory")
     port = str(urllib.parse.urlparse(os.environ["ROS_MASTER_URI"]).port)
     launch = ["roslaunch", "-p", port, "place_memory", "demo.launch", f"speed:={options.speed}",

@@ -15,7 +15,7 @@ SPEED_GAIN = 1.5       # [1/s]
 TURN_GAIN = 2.5        # [1/s]
 TURN_FIRST = 0.4       # the robot turns on the spot where it looks further off than this [rad]
 NEAR_ENOUGH = 0.02     # [m]
-SWEEP_RATE = 0.08      # a little less than two degrees from one firing of the sonars to the next [rad/s]
+SWEEP_RATE = 0.036     # a little less than two degrees between firings of the sonars [rad/s]
 LEG_LIMIT = 120.0      # of real time [s]
 
 
