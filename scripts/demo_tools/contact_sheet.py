@@ -41,7 +41,7 @@ def write_contact_sheet(path, learned, trials, title):
     rows = -(-len(trials) // PAIRS_A_ROW)
     figure = plt.figure(figsize=(4.1 * PAIRS_A_ROW, 2.75 * rows + 1.0))
     outer = figure.add_gridspec(rows, PAIRS_A_ROW, wspace=0.08, hspace=0.12, left=0.015,
-                                right=0.985, bottom=0.02, top=1.0 - 0.85 / (2.75 * rows + 1.0))
+                                right=0.985, bottom=0.02, top=1.0 - 0.75 / (2.75 * rows + 1.0))
     figure.suptitle(title, fontsize=14, y=1.0 - 0.15 / (2.75 * rows + 1.0))
     for index, trial in enumerate(trials):
         pair = outer[index // PAIRS_A_ROW, index % PAIRS_A_ROW].subgridspec(1, 2, wspace=0.04)

@@ -33,9 +33,12 @@ def mean(values):
 def total(method, trials):
     answers = [trial.answers[method] for trial in trials]
     right = [answer for answer in answers if answer.is_right]
+    sure = [answer for answer in answers if answer.verdict == "recognized"]
     error = mean([answer.error for answer in right])
     return (f"{method}: {len(right)} of {len(answers)} places right "
             f"({100.0 * len(right) / len(answers):.0f} %), "
+            f"{len(sure)} called recognized, {sum(not answer.is_right for answer in sure)} of them "
+            "wrong, "
             f"mean position error {number(error, '{:.2f}')} m "
             f"({number(error * FEET, '{:.1f}')} ft), "
             f"mean match time {mean([answer.match_ms for answer in answers]):.1f} ms")
