@@ -211,7 +211,8 @@ def main():
         run(options)
     except (DemoError, OSError, subprocess.SubprocessError, rospy.ROSException,
             rospy.ServiceException) as error:
-        print(f"demo: {error}", file=sys.stderr)
+        print(f"demo: {error}\ndemo: what the nodes said is in {options.out}/roslaunch.log",
+              file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         print("demo: stopped", file=sys.stderr)
