@@ -5,7 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "csv.h"
+#include "tools/csv.h"
 
 namespace place_memory::experiments {
 

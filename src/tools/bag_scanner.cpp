@@ -1,4 +1,4 @@
-#include "bag_scanner.h"
+#include "tools/bag_scanner.h"
 
 #include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>

@@ -1,4 +1,4 @@
-#include "csv.h"
+#include "tools/csv.h"
 
 #include <stdexcept>
 

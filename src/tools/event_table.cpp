@@ -1,4 +1,4 @@
-#include "event_table.h"
+#include "tools/event_table.h"
 
 #include <boost/lexical_cast.hpp>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "csv.h"
 #include "place_memory/core/pose2d.h"
+#include "tools/csv.h"
 
 namespace place_memory::tools {
 namespace {

@@ -7,12 +7,12 @@
 #include <iostream>
 #include <optional>
 
-#include "bag_scanner.h"
-#include "event_table.h"
 #include "place_memory/config/load_parameters.h"
 #include "place_memory/core/place_memory.h"
-#include "progress_bar.h"
-#include "result_table.h"
+#include "tools/bag_scanner.h"
+#include "tools/event_table.h"
+#include "tools/progress_bar.h"
+#include "tools/result_table.h"
 
 namespace place_memory::tools {
 namespace {

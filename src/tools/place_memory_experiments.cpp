@@ -14,7 +14,7 @@
 #include "experiments/figures.h"
 #include "experiments/runner.h"
 #include "experiments/summary_table.h"
-#include "progress_bar.h"
+#include "tools/progress_bar.h"
 
 namespace place_memory::experiments {
 namespace {

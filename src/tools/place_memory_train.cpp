@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "place_memory/config/match_preset.h"
-#include "progress_bar.h"
+#include "tools/progress_bar.h"
 #include "training/calibration_fit.h"
 #include "training/candidates.h"
 #include "training/preset_file.h"

@@ -1,9 +1,9 @@
-#include "result_table.h"
+#include "tools/result_table.h"
 
 #include <chrono>
 #include <iomanip>
 
-#include "csv.h"
+#include "tools/csv.h"
 
 namespace place_memory::tools {
 namespace {

@@ -4,8 +4,8 @@
 #include <ostream>
 #include <string>
 
-#include "event_table.h"
 #include "place_memory/core/place_memory.h"
+#include "tools/event_table.h"
 
 namespace place_memory::tools {
 

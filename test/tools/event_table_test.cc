@@ -1,4 +1,4 @@
-#include "event_table.h"
+#include "tools/event_table.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "csv.h"
+#include "tools/csv.h"
 
 namespace place_memory::tools {
 namespace {
