@@ -11,9 +11,13 @@ fi
 # A python3 of pyenv or conda has neither catkin nor ROS.
 export PATH=/usr/bin:$PATH
 
-# use_local_ros <build directory>: ROS on this machine alone, also where its host name does not
-# resolve, and leaving nothing in the home directory.
+# use_local_ros <build directory>: this build's package, with ROS on this machine alone, also where
+# its host name does not resolve, and leaving nothing in the home directory.
 use_local_ros() {
+  set +u  # catkin's script reads variables that are not set
+  # shellcheck disable=SC1091
+  . "$1/devel/setup.bash"
+  set -u
   unset ROS_IP
   export ROS_HOSTNAME=localhost
   export ROS_MASTER_URI=http://localhost:${ROS_MASTER_PORT:-11311}

@@ -6,6 +6,7 @@
 #include "pair_kernel.h"
 
 namespace place_memory::core {
+
 TurnedPlanes::TurnedPlanes(const CellPlanes& grid, double angle) {
   constexpr double kMiddle = 0.5 * (kGridSize - 1);
   const double c = std::cos(angle);

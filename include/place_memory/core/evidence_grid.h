@@ -51,7 +51,7 @@ class EvidenceGrid {
 
  private:
   static std::size_t offset(int row, int column) {
-    return static_cast<std::size_t>(row * kGridSize + column);
+    return static_cast<std::size_t>(row) * kGridSize + static_cast<std::size_t>(column);
   }
 
   GridGeometry geometry_;

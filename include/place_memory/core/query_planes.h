@@ -38,7 +38,8 @@ class QueryPlanes {
   double headingStep() const { return heading_step_; }
   /// Turn in [-turns(), turns()].
   const TurnedPlanes& at(int turn) const {
-    return planes_[static_cast<std::size_t>(turn + turns_)];
+    const int index = turn + turns_;
+    return planes_[static_cast<std::size_t>(index)];
   }
 
  private:

@@ -1,8 +1,8 @@
 #ifndef PLACE_MEMORY_NODE_NODE_NAMES_H
 #define PLACE_MEMORY_NODE_NODE_NAMES_H
 
-/// Every name the node has on the wire. Those that are parameters (frames, sonar and heading topics)
-/// are in config/parameters.h.
+/// Every name the node has on the wire. Those that are parameters (frames, sonar and heading
+/// topics) are in config/parameters.h.
 namespace place_memory::node {
 
 // Relative.
