@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""The examples of README.md that are marked as live work as printed, in the order of the page."""
+
+import os
+import re
+import subprocess
+
+import rosgraph
+
+import live_test
+
+README = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "README.md")
+EXAMPLES = re.compile(r"<!-- live -->\n```bash\n(.*?)```", re.DOTALL)
+NODE = "/place_memory/"  # as the page names it
+
+
+def read_commands(node):
+    """Every command, a string, with the node's own name."""
+    with open(README, encoding="utf-8") as file:
+        examples = "".join(EXAMPLES.findall(file.read()))
+    commands = re.sub(r"\\\n\s*", "", examples).splitlines()
+    return [command.replace(NODE, node + "/") for command in commands]
+
+
+def has_subscriber(topic, prefix):
+    _, subscriptions, _ = rosgraph.Master("/live_readme_test").getSystemState()
+    return any(name.startswith(prefix) for subscribed, names in subscriptions
+               for name in names if subscribed == topic)
+
+
+class LiveReadmeTest(live_test.LiveTestCase):
+    def start(self, command):
+        process = subprocess.Popen(["bash", "-c", command], stdout=subprocess.PIPE,
+                                   stderr=subprocess.STDOUT, universal_newlines=True)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def finish_command(self, command, process):
+        self.run_robot(lambda: process.poll() is not None, command)
+        output = process.stdout.read()
+        self.assertEqual(process.returncode, 0, command + "\n" + output)
+        self.assertNotIn("ERROR", output, command)
+        if command.startswith("rosservice call"):
+            self.assertRegex(output, r"(?m)^status: 0$", command)
+        return output
+
+    def test_every_example_works_as_printed(self):
+        self.start_node()
+        commands = read_commands(self.node.name)
+        called = {command.split()[2].rsplit("/", 1)[1] for command in commands
+                  if command.startswith("rosservice call")}
+        self.assertEqual(called, set(live_test.SERVICES))
+
+        beside = None
+        for command in commands:
+            if command.endswith(" &"):
+                command = "exec " + command[:-2]
+                beside = command, self.start(command)
+                topic = command.split()[-1]
+                self.run_robot(lambda: has_subscriber(topic, "/rostopic"), command)
+            elif command == "wait":
+                self.assertIn("\n  status: 0\n", self.finish_command(*beside))
+            else:
+                self.finish_command(command, self.start("exec " + command))
+        self.assertEqual(self.labels(), [])
+
+
+if __name__ == "__main__":
+    live_test.main("live_readme_test", LiveReadmeTest)
