@@ -13,16 +13,12 @@ template <bool kLeft>
   PlaneCounts n{};
   const int by = kLeft ? pairs.columns : -pairs.columns;
   for (int row = 0; row < pairs.rows; ++row) {
-    const std::uint64_t i = kLeft ? pairs.inside[row] << by : pairs.inside[row] >> by;
     const std::uint64_t o = kLeft ? pairs.occupied[row] << by : pairs.occupied[row] >> by;
     const std::uint64_t e = kLeft ? pairs.empty[row] << by : pairs.empty[row] >> by;
     const std::uint64_t learned_o = pairs.learned_occupied[row];
     const std::uint64_t learned_e = pairs.learned_empty[row];
-    n.inside += popcount(i);
     n.occupied += popcount(o);
     n.empty += popcount(e);
-    n.inside_occupied += popcount(i & learned_o);
-    n.inside_empty += popcount(i & learned_e);
     n.occupied_occupied += popcount(o & learned_o);
     n.occupied_empty += popcount(o & learned_e);
     n.empty_occupied += popcount(e & learned_o);

@@ -7,7 +7,6 @@ namespace place_memory::core {
 
 /// Rows of the planes that two grids share, the recognition grid's before it is shifted.
 struct RowPairs {
-  const std::uint64_t* inside;
   const std::uint64_t* occupied;
   const std::uint64_t* empty;
   const std::uint64_t* learned_occupied;
@@ -16,10 +15,10 @@ struct RowPairs {
   int columns;  ///< shift along x, in [-63, 63]
 };
 
-/// Cells set in the recognition grid's planes, and in their intersections with the learned ones.
+/// Cells set in the recognition grid's shifted planes, and in their intersections with the learned
+/// ones.
 struct PlaneCounts {
-  std::uint64_t inside, occupied, empty;
-  std::uint64_t inside_occupied, inside_empty;
+  std::uint64_t occupied, empty;
   std::uint64_t occupied_occupied, occupied_empty;
   std::uint64_t empty_occupied, empty_empty;
 };

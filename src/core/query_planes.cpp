@@ -6,8 +6,18 @@
 #include "pair_kernel.h"
 
 namespace place_memory::core {
+namespace {
 
-TurnedPlanes::TurnedPlanes(const CellPlanes& grid, double angle) {
+int countCells(const BitPlane& plane) {
+  int cells = 0;
+  for (const std::uint64_t row : plane) cells += __builtin_popcountll(row);
+  return cells;
+}
+
+}  // namespace
+
+CellPlanes turned(const CellPlanes& grid, double angle) {
+  CellPlanes cells;
   constexpr double kMiddle = 0.5 * (kGridSize - 1);
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -21,36 +31,36 @@ TurnedPlanes::TurnedPlanes(const CellPlanes& grid, double angle) {
       if (from_row < 0 || from_row >= kGridSize) continue;
       const auto r = static_cast<std::size_t>(row);
       const auto from = static_cast<std::size_t>(from_row);
-      inside[r] |= std::uint64_t{1} << column;
       cells.occupied[r] |= (grid.occupied[from] >> from_column & 1) << column;
       cells.empty[r] |= (grid.empty[from] >> from_column & 1) << column;
     }
   }
+  return cells;
 }
 
-PairCounts countPairs(const TurnedPlanes& recognition, CellShift shift, const CellPlanes& learned) {
+PairCounts countPairs(const CellPlanes& recognition, CellShift shift, const CellPlanes& learned) {
   const int first = std::max(0, shift.rows);
   const int last = std::min(kGridSize, kGridSize + shift.rows);
   const int from = first - shift.rows;
-  const PlaneCounts n =
-      countPlanes({recognition.inside.data() + from, recognition.cells.occupied.data() + from,
-                   recognition.cells.empty.data() + from, learned.occupied.data() + first,
-                   learned.empty.data() + first, last - first, shift.columns});
+  const PlaneCounts n = countPlanes(
+      {recognition.occupied.data() + from, recognition.empty.data() + from,
+       learned.occupied.data() + first, learned.empty.data() + first, last - first, shift.columns});
   const auto count = [](std::uint64_t cells) { return static_cast<int>(cells); };
   const int oo = count(n.occupied_occupied), oe = count(n.occupied_empty);
   const int eo = count(n.empty_occupied), ee = count(n.empty_empty);
-  const int occupied = count(n.occupied), empty = count(n.empty);
-  const int unsensed = count(n.inside) - occupied - empty;
-  const int uo = count(n.inside_occupied) - oo - eo;
-  const int ue = count(n.inside_empty) - oe - ee;
-  return {{{ee, empty - ee - eo, eo}, {ue, unsensed - ue - uo, uo}, {oe, occupied - oe - oo, oo}}};
+  const int ou = count(n.occupied) - oo - oe, eu = count(n.empty) - eo - ee;
+  const int uo = countCells(learned.occupied) - oo - eo, ue = countCells(learned.empty) - oe - ee;
+  const int uu = kGridSize * kGridSize - oo - oe - ou - eo - ee - eu - uo - ue;
+  return {{{ee, eu, eo}, {ue, uu, uo}, {oe, ou, oo}}};
 }
 
 QueryPlanes::QueryPlanes(const EvidenceGrid& grid, double heading_step, int turns)
     : heading_step_(heading_step), turns_(turns) {
   const CellPlanes planes(grid);
   planes_.reserve(static_cast<std::size_t>(2 * turns + 1));
-  for (int turn = -turns; turn <= turns; ++turn) planes_.emplace_back(planes, turn * heading_step);
+  for (int turn = -turns; turn <= turns; ++turn) {
+    planes_.push_back(turned(planes, turn * heading_step));
+  }
 }
 
 }  // namespace place_memory::core

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "place_memory/core/alignment_search.h"
 #include "place_memory/core/consensus.h"
 #include "place_memory/core/pose_estimate.h"
+#include "place_search.h"
 
 namespace place_memory::core {
 namespace {
@@ -21,20 +21,15 @@ bool sensedNothing(const EvidenceGrid& grid) {
                      [](std::int8_t evidence) { return evidence == 0; });
 }
 
-struct Found {
-  const PlaceIndex::Entry* entry;
-  Alignment alignment;
-};
-
 Pose2d poseOf(const Alignment& alignment, double cell_size) {
   return {alignment.shift.columns * cell_size, alignment.shift.rows * cell_size,
           wrapAngle(alignment.turn * kHeadingStep)};
 }
 
-Consensus consensusOf(const std::vector<Found>& all, double cell_size) {
+Consensus consensusOf(const std::vector<PlaceAlignment>& all, double cell_size) {
   std::vector<Opinion> opinions;
   opinions.reserve(all.size());
-  for (const Found& found : all) {
+  for (const PlaceAlignment& found : all) {
     const Pose2d place_from_scan = poseOf(found.alignment, cell_size);
     opinions.push_back({found.alignment.score, std::hypot(place_from_scan.x, place_from_scan.y),
                         found.entry->map_from_place * place_from_scan});
@@ -43,7 +38,7 @@ Consensus consensusOf(const std::vector<Found>& all, double cell_size) {
 }
 
 /// The robot's pose and its covariance, turned from the place's frame into the map's (paper 9).
-void locate(const Scan& scan, const Found& best, const PoseEstimate& estimate,
+void locate(const Scan& scan, const PlaceAlignment& best, const PoseEstimate& estimate,
             Recognition& recognition) {
   recognition.matches.front().place_from_scan = estimate.place_from_scan;
   recognition.map_from_robot =
@@ -83,30 +78,21 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
   const LatticeMetric metric = onLattice(options_.metric, window, cell_size);
   const QueryPlanes query(scan.grid, kHeadingStep, window.turns);
 
-  std::vector<Found> all;
-  all.reserve(places.size());
-  for (const auto& block : places.blocks()) {
-    if (cancelled && cancelled()) throw std::runtime_error("recognition was cancelled");
-    for (const PlaceIndex::Entry& entry : *block) {
-      all.push_back({&entry, findAlignment(query, entry.planes, metric, window, options_.method)});
-    }
-  }
+  std::vector<PlaceAlignment> all =
+      searchPlaces(query, places, metric, window, options_.method, cancelled);
   if (all.empty()) return {};
-  std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) {
-    return a.alignment.score > b.alignment.score;
-  });
   const Consensus consensus = consensusOf(all, cell_size);
   const auto chosen = all.begin() + static_cast<std::ptrdiff_t>(consensus.chosen);
   std::rotate(all.begin(), chosen, chosen + 1);
 
   Recognition recognition;
-  for (const Found& found : all) {
+  for (const PlaceAlignment& found : all) {
     recognition.matches.push_back(
         {found.entry->id, found.alignment.score, poseOf(found.alignment, cell_size), 0.0});
   }
   // Unsensed cells may earn points, so scores alone do not tell such a scan from a good one.
   if (!sensedNothing(scan.grid)) {
-    const Found& best = all.front();
+    const PlaceAlignment& best = all.front();
     const PairCounts own = countPairs(query.at(0), {0, 0}, CellPlanes(scan.grid));
     const PairCounts at =
         countPairs(query.at(best.alignment.turn), best.alignment.shift, best.entry->planes);

@@ -8,15 +8,10 @@
 
 namespace place_memory::core {
 
-/// A grid turned about its centre. Cells that the turn brings in from outside are not inside.
-struct TurnedPlanes {
-  CellPlanes cells;
-  BitPlane inside{};
-
-  /// Each cell takes the class of the cell whose centre's neighbourhood its own centre falls in
-  /// when turned back by `angle` [rad] (paper 4).
-  TurnedPlanes(const CellPlanes& grid, double angle);
-};
+/// A grid turned about its centre. Each cell takes the class of the cell whose centre's
+/// neighbourhood its own centre falls in when turned back by `angle` [rad] (paper 4); cells that
+/// the turn brings in from outside are unsensed.
+CellPlanes turned(const CellPlanes& grid, double angle);
 
 /// A translation by whole cells.
 struct CellShift {
@@ -25,8 +20,9 @@ struct CellShift {
 };
 
 /// Pairs of corresponding cells of a turned and then shifted recognition grid and a learned grid,
-/// by class. Cells that fall outside the learned grid correspond to none. Shifts in [-63, 63].
-PairCounts countPairs(const TurnedPlanes& recognition, CellShift shift, const CellPlanes& learned);
+/// by class: one pair for each cell of the learned grid. Where the recognition grid does not reach
+/// it is unsensed. Shifts in [-63, 63].
+PairCounts countPairs(const CellPlanes& recognition, CellShift shift, const CellPlanes& learned);
 
 /// The recognition grid at every heading of a search, made once and used for every place.
 class QueryPlanes {
@@ -37,7 +33,7 @@ class QueryPlanes {
   int turns() const { return turns_; }
   double headingStep() const { return heading_step_; }
   /// Turn in [-turns(), turns()].
-  const TurnedPlanes& at(int turn) const {
+  const CellPlanes& at(int turn) const {
     const int index = turn + turns_;
     return planes_[static_cast<std::size_t>(index)];
   }
@@ -45,7 +41,7 @@ class QueryPlanes {
  private:
   double heading_step_;
   int turns_;
-  std::vector<TurnedPlanes> planes_;
+  std::vector<CellPlanes> planes_;
 };
 
 }  // namespace place_memory::core
