@@ -133,6 +133,19 @@ void PlaceStore::rename(PlaceId id, const std::string& label) {
   transaction.commit();
 }
 
+void PlaceStore::update(PlaceId id, const EvidenceGrid& grid) {
+  SqliteTransaction transaction(*database_);
+  SqliteStatement(*database_, "UPDATE grid SET checksum = ?, cells = ? WHERE place_id = ?")
+      .bind(checksum(grid.cells().data()))
+      .bind(grid.cells().data(), grid.cells().size())
+      .bind(id)
+      .run();
+  if (sqlite3_changes(database_->handle()) == 0) {
+    throwStoreError(database_->path(), "has no place " + std::to_string(id));
+  }
+  transaction.commit();
+}
+
 void PlaceStore::remove(PlaceId id) {
   SqliteTransaction transaction(*database_);
   SqliteStatement(*database_, "DELETE FROM place WHERE id = ?").bind(id).run();

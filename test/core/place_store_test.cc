@@ -91,6 +91,27 @@ TEST_F(PlaceStoreTest, RenamesRemovesAndClears) {
   EXPECT_THROW(store.grid(1), StoreError);
 }
 
+TEST_F(PlaceStoreTest, PutsAnotherGridInThePlaceOfTheOneAPlaceHas) {
+  fill();
+  {
+    PlaceStore store = open();
+    store.update(2, makeGrid(7));
+    EXPECT_THROW(store.update(99, makeGrid(8)), StoreError);
+  }
+  const PlaceStore store = open();
+  EXPECT_EQ(store.grid(1), makeGrid(1));
+  EXPECT_EQ(store.grid(2), makeGrid(7));
+  EXPECT_EQ(store.graph().size(), 3U);
+}
+
+TEST_F(PlaceStoreTest, AGridThatCannotBeUpdatedStays) {
+  fill();
+  runSql(path_, "CREATE TRIGGER full AFTER UPDATE ON grid BEGIN SELECT RAISE(ABORT, 'full'); END");
+  PlaceStore store = open();
+  EXPECT_THROW(store.update(2, makeGrid(7)), StoreError);
+  EXPECT_EQ(store.grid(2), makeGrid(2));
+}
+
 TEST_F(PlaceStoreTest, NeverGivesAnIdAgain) {
   fill();
   {

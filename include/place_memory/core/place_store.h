@@ -54,6 +54,8 @@ class PlaceStore {
   /// kNoPlace. Returns the id.
   PlaceId add(const Place& place, const EvidenceGrid& grid, PlaceId came_from);
   void rename(PlaceId id, const std::string& label);
+  /// Puts another grid in the place of the one that the place has.
+  void update(PlaceId id, const EvidenceGrid& grid);
   /// With its grid and its links.
   void remove(PlaceId id);
   void clear();
