@@ -1,0 +1,62 @@
+#include <benchmark/benchmark.h>
+
+#include <boost/program_options.hpp>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "setting.h"
+
+namespace place_memory::measure {
+namespace {
+
+namespace po = boost::program_options;
+
+std::optional<Options> readArguments(int argc, char** argv) {
+  Options options;
+  po::options_description known(
+      "Options beside those of Google Benchmark (--benchmark_filter, ...)");
+  known.add_options()("help", "says this")(
+      "max-places", po::value(&options.max_places)->default_value(options.max_places),
+      "of the largest memory, at least 21")(
+      "max-full", po::value(&options.max_full)->default_value(options.max_full),
+      "of the largest memory that is searched in full")(
+      "queries", po::value(&options.queries)->default_value(options.queries),
+      "put to each memory at the most, at least 1")(
+      "folder",
+      po::value(&options.folder)->default_value(std::filesystem::temp_directory_path().string()),
+      "for stores, which are removed again");
+  po::variables_map values;
+  po::store(po::parse_command_line(argc, argv, known), values);
+  if (values.count("help") > 0) {
+    std::cout << known;
+    return std::nullopt;
+  }
+  po::notify(values);
+  if (options.max_places < 21 || options.queries < 1) {
+    throw std::invalid_argument("max-places must be at least 21, queries at least 1");
+  }
+  return options;
+}
+
+}  // namespace
+}  // namespace place_memory::measure
+
+int main(int argc, char** argv) {
+  using namespace place_memory::measure;
+  try {
+    ::benchmark::Initialize(&argc, argv);  // takes its own arguments out
+    const auto options = readArguments(argc, argv);
+    if (!options) return EXIT_SUCCESS;
+    Setting setting(*options);
+    registerParts(setting);
+    registerRecognition(setting);
+    ::benchmark::RunSpecifiedBenchmarks();
+  } catch (const std::exception& error) {
+    std::cerr << "place_memory_benchmark: " << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

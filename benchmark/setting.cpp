@@ -1,0 +1,41 @@
+#include "setting.h"
+
+#include <algorithm>
+
+#include "place_memory/config/load_parameters.h"
+
+namespace place_memory::measure {
+
+Setting::Setting(const Options& options)
+    : options_(options), parameters_(config::loadParameters({})) {}
+
+const SimulatedPlaces& Setting::simulated() {
+  if (!simulated_) {
+    const bool splices = options_.max_places > kSimulatedPlaces;
+    const std::size_t count = splices ? kSimulatedPlaces : options_.max_places;
+    simulated_ = std::make_unique<SimulatedPlaces>(simulatePlaces(count));
+  }
+  return *simulated_;
+}
+
+const core::PlaceIndex& Setting::index(std::size_t size) {
+  if (index_size_ != size) {
+    index_.clear();
+    index_ = memory(size).index();
+    index_size_ = size;
+  }
+  return index_;
+}
+
+std::size_t Setting::affordableQueries(std::size_t size, double seconds_per_place) const {
+  constexpr double kSeconds = 60.0;
+  constexpr double kFewest = 3.0;
+  const double affordable = kSeconds / (seconds_per_place * static_cast<double>(size));
+  return std::min(options_.queries, static_cast<std::size_t>(std::max(affordable, kFewest)));
+}
+
+std::string benchmarkName(const std::string& what, bool any_heading, std::size_t places) {
+  return what + (any_heading ? "/any/" : "/local/") + std::to_string(places);
+}
+
+}  // namespace place_memory::measure

@@ -1,0 +1,54 @@
+#ifndef PLACE_MEMORY_BENCHMARK_SETTING_H
+#define PLACE_MEMORY_BENCHMARK_SETTING_H
+
+#include <memory>
+#include <string>
+
+#include "place_memory/config/parameters.h"
+#include "synthetic_memory.h"
+
+namespace place_memory::measure {
+
+struct Options {
+  std::size_t max_places = 1000;  ///< of the largest memory
+  std::size_t max_full = 1000;    ///< of the largest that is searched in full
+  std::size_t queries = 400;      ///< put to each memory at the most
+  std::string folder;             ///< for stores
+};
+
+/// What all benchmarks of one run share. Everything is made when it is first asked for.
+class Setting {
+ public:
+  explicit Setting(const Options& options);
+
+  const Options& options() const { return options_; }
+  const config::Parameters& parameters() const { return parameters_; }
+
+  const SimulatedPlaces& simulated();
+  /// The newest one is kept, so benchmarks of one size should follow each other.
+  const core::PlaceIndex& index(std::size_t size);
+  SyntheticMemory memory(std::size_t size) { return {simulated(), size}; }
+
+  /// Queries that take about a minute where one takes `seconds_per_place` for each place.
+  std::size_t affordableQueries(std::size_t size, double seconds_per_place) const;
+
+ private:
+  Options options_;
+  config::Parameters parameters_;
+  std::unique_ptr<SimulatedPlaces> simulated_;
+  std::size_t index_size_ = 0;
+  core::PlaceIndex index_;
+};
+
+/// "1000" as it stands in the names of benchmarks, behind "local" or "any".
+std::string benchmarkName(const std::string& what, bool any_heading, std::size_t places);
+
+// Each registers the benchmarks of one file; the setting has to outlive them.
+void registerParts(Setting& setting);
+void registerRecognition(Setting& setting);
+void registerStrangers(Setting& setting);
+void registerStore(Setting& setting);
+
+}  // namespace place_memory::measure
+
+#endif  // PLACE_MEMORY_BENCHMARK_SETTING_H
