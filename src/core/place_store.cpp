@@ -1,13 +1,12 @@
 #include "place_memory/core/place_store.h"
 
 #include <algorithm>
-#include <boost/crc.hpp>
-#include <cstring>
 #include <utility>
 
 #include "place_memory/core/place_label.h"
 #include "sqlite.h"
 #include "store_file.h"
+#include "store_rows.h"
 
 namespace place_memory::core {
 namespace {
@@ -15,15 +14,13 @@ namespace {
 // Cell sizes that went through text, as in a YAML file, may differ in the last digits.
 constexpr double kCellSizeTolerance = 1e-9;
 
-std::int64_t checksum(const void* cells) {
-  boost::crc_32_type crc;
-  crc.process_bytes(cells, kGridCells);
-  return crc.checksum();
-}
+constexpr std::size_t kPlacesBetweenReports = std::size_t{1} << 16U;
 
-void checkCellSize(SqliteDatabase& database, double cell_size) {
-  SqliteStatement query(database,
-                        "SELECT cell_size FROM grid WHERE abs(cell_size - ?) > ? LIMIT 1");
+// In a store that was not checked in full, one grid stands for all: they are written by one rule.
+void checkCellSize(SqliteDatabase& database, double cell_size, bool of_all) {
+  const std::string source = of_all ? "grid" : "(SELECT cell_size FROM grid LIMIT 1)";
+  SqliteStatement query(
+      database, "SELECT cell_size FROM " + source + " WHERE abs(cell_size - ?) > ? LIMIT 1");
   query.bind(cell_size).bind(kCellSizeTolerance);
   if (query.step()) {
     throwStoreError(database.path(), "its grids have cells of " + std::to_string(query.real(0)) +
@@ -53,18 +50,6 @@ void readLinks(SqliteDatabase& database, PlaceGraph* graph) {
   while (row.step()) graph->link(row.integer(0), row.integer(1));
 }
 
-// The columns checksum and cells, from `column` on.
-EvidenceGrid readGrid(const SqliteDatabase& database, const SqliteStatement& row, int column,
-                      double cell_size) {
-  EvidenceGrid grid(GridGeometry{cell_size});
-  const void* cells = row.blob(column + 1);
-  if (row.size(column + 1) != kGridCells || checksum(cells) != row.integer(column)) {
-    throwStoreError(database.path(), "is damaged: a grid is not as it was written");
-  }
-  std::memcpy(grid.cells().data(), cells, kGridCells);
-  return grid;
-}
-
 void insertLink(SqliteDatabase& database, PlaceId one, PlaceId other) {
   SqliteStatement insert(database, "INSERT OR IGNORE INTO link VALUES(?, ?)");
   insert.bind(std::min(one, other)).bind(std::max(one, other)).run();
@@ -72,9 +57,11 @@ void insertLink(SqliteDatabase& database, PlaceId one, PlaceId other) {
 
 }  // namespace
 
-PlaceStore::PlaceStore(const std::string& path, double cell_size)
-    : database_(openStoreFile(path)), cell_size_(cell_size) {
-  checkCellSize(*database_, cell_size);
+PlaceStore::PlaceStore(const std::string& path, double cell_size, const StoreOpening& opening)
+    : cell_size_(cell_size), progress_(opening.progress) {
+  StoreFile file = openStoreFile(path, opening);
+  database_ = std::move(file.database);
+  checkCellSize(*database_, cell_size, file.checked);
 }
 
 PlaceStore::~PlaceStore() = default;
@@ -105,6 +92,20 @@ void PlaceStore::forEachGrid(const std::function<void(PlaceId, const EvidenceGri
   while (query.step()) call(query.integer(0), readGrid(*database_, query, 1, cell_size_));
 }
 
+void PlaceStore::forEachPlanes(const std::function<void(PlaceId, const CellPlanes&)>& call) const {
+  // A place whose row is not there comes with an empty one, which is refused.
+  SqliteStatement query(*database_,
+                        "SELECT id, checksum, cells FROM place LEFT JOIN planes ON place_id = id "
+                        "ORDER BY id");
+  std::size_t places = 0;
+  while (query.step()) {
+    call(query.integer(0), readPlanes(*database_, query, 1));
+    if (progress_ && ++places % kPlacesBetweenReports == 0) {
+      progress_("read " + std::to_string(places) + " places of the store");
+    }
+  }
+}
+
 PlaceId PlaceStore::add(const Place& place, const EvidenceGrid& grid, PlaceId came_from) {
   SqliteTransaction transaction(*database_);
   SqliteStatement(*database_,
@@ -116,12 +117,8 @@ PlaceId PlaceStore::add(const Place& place, const EvidenceGrid& grid, PlaceId ca
       .bind(place.learned.count())
       .run();
   const PlaceId id = sqlite3_last_insert_rowid(database_->handle());
-  SqliteStatement(*database_, "INSERT INTO grid VALUES(?, ?, ?, ?)")
-      .bind(id)
-      .bind(grid.geometry().cell_size)
-      .bind(checksum(grid.cells().data()))
-      .bind(grid.cells().data(), grid.cells().size())
-      .run();
+  insertGrid(*database_, id, grid);
+  insertPlanes(*database_, id, CellPlanes(grid));
   if (came_from != kNoPlace) insertLink(*database_, came_from, id);
   transaction.commit();
   return id;
@@ -135,12 +132,7 @@ void PlaceStore::rename(PlaceId id, const std::string& label) {
 
 void PlaceStore::update(PlaceId id, const EvidenceGrid& grid) {
   SqliteTransaction transaction(*database_);
-  SqliteStatement(*database_, "UPDATE grid SET checksum = ?, cells = ? WHERE place_id = ?")
-      .bind(checksum(grid.cells().data()))
-      .bind(grid.cells().data(), grid.cells().size())
-      .bind(id)
-      .run();
-  if (sqlite3_changes(database_->handle()) == 0) {
+  if (!updateGrid(*database_, id, grid)) {
     throwStoreError(database_->path(), "has no place " + std::to_string(id));
   }
   transaction.commit();
@@ -155,6 +147,12 @@ void PlaceStore::remove(PlaceId id) {
 void PlaceStore::clear() {
   SqliteTransaction transaction(*database_);
   database_->execute("DELETE FROM place");
+  transaction.commit();
+}
+
+void PlaceStore::atOnce(const std::function<void()>& changes) {
+  SqliteTransaction transaction(*database_);
+  changes();
   transaction.commit();
 }
 

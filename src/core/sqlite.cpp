@@ -86,16 +86,21 @@ void SqliteStatement::check(int code) {
   if (code != SQLITE_OK) throwSqliteError(database_.path(), database_.handle());
 }
 
-SqliteTransaction::SqliteTransaction(SqliteDatabase& database) : database_(database) {
-  database.execute("BEGIN IMMEDIATE");
+SqliteTransaction::SqliteTransaction(SqliteDatabase& database)
+    : database_(database), is_outermost_(sqlite3_get_autocommit(database.handle()) != 0) {
+  if (is_outermost_) database.execute("BEGIN IMMEDIATE");
 }
 
 SqliteTransaction::~SqliteTransaction() {
   // After a failed commit SQLite may have rolled back by itself already.
   const bool is_open = sqlite3_get_autocommit(database_.handle()) == 0;
-  if (is_open) sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+  if (is_outermost_ && is_open) {
+    sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+  }
 }
 
-void SqliteTransaction::commit() { database_.execute("COMMIT"); }
+void SqliteTransaction::commit() {
+  if (is_outermost_) database_.execute("COMMIT");
+}
 
 }  // namespace place_memory::core

@@ -73,7 +73,8 @@ class SqliteStatement {
   std::unique_ptr<sqlite3_stmt, Finalize> handle_;
 };
 
-/// Undoes every change since it began, unless commit() was reached.
+/// Undoes every change since it began, unless commit() was reached. Within another transaction it
+/// is a part of that one, which has the last word.
 class SqliteTransaction {
  public:
   explicit SqliteTransaction(SqliteDatabase& database);
@@ -85,6 +86,7 @@ class SqliteTransaction {
 
  private:
   SqliteDatabase& database_;
+  bool is_outermost_;
 };
 
 }  // namespace place_memory::core

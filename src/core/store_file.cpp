@@ -7,13 +7,16 @@
 #include <fstream>
 #include <string_view>
 
+#include "store_migration.h"
+
 namespace place_memory::core {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t kApplicationId = 0x504c4d59;  // "PLMY"
-constexpr std::uint32_t kSchemaVersion = 1;
+constexpr std::uint32_t kSchemaVersion = 2;
+constexpr std::uint32_t kOldestVersion = 1;
 
 // AUTOINCREMENT is what keeps SQLite from giving the id of a removed place again.
 constexpr char kSchema[] = R"(
@@ -75,8 +78,8 @@ class FileHeader {
 };
 
 // SQLite would start afresh in an empty file and write to any database of its own format, so what
-// the file is gets settled before SQLite sees it.
-void checkHeader(const std::string& path) {
+// the file is gets settled before SQLite sees it. Returns its format.
+std::uint32_t checkHeader(const std::string& path) {
   FileHeader header;
   if (!header.read(path)) {
     throwStoreError(path, "cannot be read as a file, or was cut short: it has no complete header");
@@ -84,10 +87,10 @@ void checkHeader(const std::string& path) {
   if (!header.isSqlite() || header.applicationId() != kApplicationId) {
     throwStoreError(path, "is not a place store; it was left as it is. Name another file");
   }
-  if (header.schemaVersion() != kSchemaVersion) {
-    throwStoreError(path, "has format " + std::to_string(header.schemaVersion()) + ", but only " +
+  if (header.schemaVersion() < kOldestVersion || header.schemaVersion() > kSchemaVersion) {
+    throwStoreError(path, "has format " + std::to_string(header.schemaVersion()) + ", but " +
                               std::to_string(kSchemaVersion) +
-                              " is known here: it was written by a newer version");
+                              " is the last one known here: it was written by a newer version");
   }
   // An unfinished change that the journal is there to undo may have left the size wrong.
   const std::uint64_t size = fs::file_size(path);
@@ -95,11 +98,13 @@ void checkHeader(const std::string& path) {
     throwStoreError(path, "was cut short: " + std::to_string(size) + " of " +
                               std::to_string(header.fileSize()) + " bytes are there");
   }
+  return header.schemaVersion();
 }
 
 void createSchema(SqliteDatabase& database) {
   SqliteTransaction transaction(database);
   database.execute(kSchema);
+  database.execute(kPlanesSchema);
   database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
   database.execute("PRAGMA user_version = " + std::to_string(kSchemaVersion));
   transaction.commit();
@@ -116,43 +121,60 @@ void createFile(const std::string& path) {
   fs::rename(unfinished, path);
 }
 
-void checkContent(SqliteDatabase& database) {
+bool hasPlaceWithout(SqliteDatabase& database, const std::string& table) {
+  return SqliteStatement(
+             database, "SELECT id FROM place WHERE id NOT IN (SELECT place_id FROM " + table + ")")
+      .step();
+}
+
+// Reads the whole file.
+void checkContent(SqliteDatabase& database, std::uint32_t version) {
   SqliteStatement check(database, "PRAGMA quick_check(1)");
   if (!check.step() || check.text(0) != "ok") {
     throwStoreError(database.path(), "is damaged: " + check.text(0));
   }
   if (SqliteStatement(database, "PRAGMA foreign_key_check").step() ||
-      SqliteStatement(database, "SELECT id FROM place WHERE id NOT IN (SELECT place_id FROM grid)")
-          .step()) {
+      hasPlaceWithout(database, "grid") || (version > 1 && hasPlaceWithout(database, "planes"))) {
     throwStoreError(database.path(), "is damaged: places, grids and links do not belong together");
   }
 }
 
-std::unique_ptr<SqliteDatabase> openFile(const std::string& path) {
+StoreFile openFile(const std::string& path, const StoreOpening& opening) {
   if (!fs::exists(path)) createFile(path);
-  checkHeader(path);
-  auto database = std::make_unique<SqliteDatabase>(path, false);
-  database->execute("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; COMMIT");
-  checkContent(*database);
-  return database;
+  const std::uint32_t version = checkHeader(path);
+  const std::uintmax_t size = fs::file_size(path);
+  // Whoever ends in good order takes the journal along.
+  const bool ended_well = !fs::exists(path + "-journal");
+  StoreFile file;
+  file.checked = size <= opening.full_check_size || !ended_well || version < kSchemaVersion;
+  file.database = std::make_unique<SqliteDatabase>(path, false);
+  file.database->execute("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; COMMIT");
+  if (file.checked) {
+    if (opening.progress && size > opening.full_check_size) {
+      opening.progress("checking all " + std::to_string(size >> 20U) + " MiB of the store");
+    }
+    checkContent(*file.database, version);
+  }
+  if (version < kSchemaVersion) addPlanesToStore(*file.database, opening.progress);
+  return file;
 }
 
 }  // namespace
 
-std::unique_ptr<SqliteDatabase> openStoreFile(const std::string& path) {
-  std::unique_ptr<SqliteDatabase> database;
+StoreFile openStoreFile(const std::string& path, const StoreOpening& opening) {
+  StoreFile file;
   if (path.empty()) {
-    database = std::make_unique<SqliteDatabase>(":memory:", true);
-    createSchema(*database);
+    file.database = std::make_unique<SqliteDatabase>(":memory:", true);
+    createSchema(*file.database);
   } else {
     try {
-      database = openFile(fs::absolute(path).string());
+      file = openFile(fs::absolute(path).string(), opening);
     } catch (const fs::filesystem_error& error) {
       throwStoreError(path, error.code().message());
     }
   }
-  database->execute("PRAGMA foreign_keys = ON");
-  return database;
+  file.database->execute("PRAGMA foreign_keys = ON");
+  return file;
 }
 
 }  // namespace place_memory::core

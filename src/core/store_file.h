@@ -4,13 +4,20 @@
 #include <memory>
 #include <string>
 
+#include "place_memory/core/place_store.h"
 #include "sqlite.h"
 
 namespace place_memory::core {
 
-/// Opens and locks a store's file, or creates it where there is none; "" stands for memory. Throws
-/// StoreError where it is not a sound store of this version; the file is then as it was.
-std::unique_ptr<SqliteDatabase> openStoreFile(const std::string& path);
+struct StoreFile {
+  std::unique_ptr<SqliteDatabase> database;
+  bool checked = true;  ///< in full; otherwise what is read has to be checked as it is read
+};
+
+/// Opens and locks a store's file, or creates it where there is none; "" stands for memory. A store
+/// of an older version becomes one of this version. Throws StoreError where it is not a sound store
+/// of a version that is known; the file is then as it was.
+StoreFile openStoreFile(const std::string& path, const StoreOpening& opening);
 
 }  // namespace place_memory::core
 

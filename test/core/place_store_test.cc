@@ -76,6 +76,46 @@ TEST_F(PlaceStoreTest, ReadsEveryGridInTheOrderOfIds) {
   EXPECT_EQ(ids, (std::vector<PlaceId>{1, 2, 3}));
 }
 
+TEST_F(PlaceStoreTest, ReadsThePlanesOfEveryGridAsItIsNow) {
+  fill();
+  PlaceStore store = open();
+  store.update(3, makeGrid(7));
+  store.remove(1);
+  std::vector<PlaceId> ids;
+  store.forEachPlanes([&](PlaceId id, const CellPlanes& planes) {
+    ids.push_back(id);
+    const CellPlanes expected(store.grid(id));
+    EXPECT_EQ(planes.occupied, expected.occupied);
+    EXPECT_EQ(planes.empty, expected.empty);
+  });
+  EXPECT_EQ(ids, (std::vector<PlaceId>{2, 3}));
+}
+
+TEST_F(PlaceStoreTest, MakesManyChangesAtOnce) {
+  PlaceStore store = open();
+  store.atOnce([&store] {
+    store.add(makePlace("a"), makeGrid(1), kNoPlace);
+    store.add(makePlace("b"), makeGrid(2), 1);
+    store.rename(1, "z");
+  });
+  EXPECT_EQ(store.graph().find(1)->label, "z");
+  EXPECT_EQ(store.graph().links().size(), 1U);
+}
+
+TEST_F(PlaceStoreTest, UndoesAllOfTheChangesAtOnceWhereOneFails) {
+  fill();
+  PlaceStore store = open();
+  const auto changes = [&store] {
+    store.remove(1);
+    store.add(makePlace("d"), makeGrid(4), kNoPlace);
+    store.rename(2, "c");  // which another place is called
+  };
+  EXPECT_THROW(store.atOnce(changes), StoreError);
+  EXPECT_EQ(store.graph().size(), 3U);
+  EXPECT_EQ(store.grid(1), makeGrid(1));
+  EXPECT_NO_THROW(store.rename(1, "z"));
+}
+
 TEST_F(PlaceStoreTest, RenamesRemovesAndClears) {
   fill();
   PlaceStore store = open();
@@ -193,6 +233,24 @@ TEST_F(PlaceStoreTest, TakesACellSizeThatWentThroughText) {
   EXPECT_NO_THROW(PlaceStore(path_, 0.142875));
 }
 
+/// What format 1 did not have.
+constexpr char kToFormat1[] = "DROP TABLE planes; PRAGMA user_version = 1;";
+
+TEST_F(PlaceStoreTest, TakesAStoreOfFormat1) {
+  fill();
+  runSql(path_, kToFormat1);
+  for (int opening = 0; opening < 2; ++opening) {
+    const PlaceStore store = open();
+    EXPECT_EQ(store.graph().links().size(), 2U);
+    std::size_t places = 0;
+    store.forEachPlanes([&](PlaceId id, const CellPlanes& planes) {
+      EXPECT_EQ(planes.occupied, CellPlanes(makeGrid(static_cast<unsigned>(id))).occupied);
+      ++places;
+    });
+    EXPECT_EQ(places, 3U);
+  }
+}
+
 // What happened to a good store, and what its refusal says.
 struct Damage {
   const char* name;
@@ -235,10 +293,11 @@ const Damage kDamages[] = {
     {"Text", replaceBy(std::string(5000, 'x')), "is not a place store"},
     {"ShortText", replaceBy("label,x,y\n"), "cut short"},
     {"OtherDatabase", sql("PRAGMA application_id = 7"), "is not a place store"},
-    {"NewerVersion", sql("PRAGMA user_version = 2"), "newer version"},
+    {"NewerVersion", sql("PRAGMA user_version = 3"), "newer version"},
     {"ScribbledSchema", scribbleAt(110), "damaged"},
     {"ScribbledTable", scribbleAt(4096), "damaged"},
-    {"NoTables", sql("DROP TABLE link; DROP TABLE grid; DROP TABLE place"), "no such table"},
+    {"NoTables", sql("DROP TABLE link; DROP TABLE grid; DROP TABLE planes; DROP TABLE place"),
+     "no such table"},
     {"PlaceWithoutGrid", sql("DELETE FROM grid WHERE place_id = 2"), "damaged"},
     {"GridWithoutPlace", sql("DELETE FROM place WHERE id = 2"), "damaged"},
     {"LinkToNowhere", sql("INSERT INTO link VALUES(1, 77)"), "damaged"},
@@ -247,6 +306,11 @@ const Damage kDamages[] = {
     {"InfiniteLocation", sql("UPDATE place SET x = 9e999 WHERE id = 2"), "damaged"},
     {"ShortGrid", sql("UPDATE grid SET cells = x'00' WHERE place_id = 2"), "damaged"},
     {"GridOfNull", sql("UPDATE grid SET cells = zeroblob(4096) WHERE place_id = 2"), "damaged"},
+    {"PlaceWithoutPlanes", sql("DELETE FROM planes WHERE place_id = 2"), "damaged"},
+    {"ShortPlanes", sql("UPDATE planes SET cells = x'00' WHERE place_id = 2"), "damaged"},
+    {"PlanesOfNull", sql("UPDATE planes SET cells = zeroblob(1024) WHERE place_id = 2"), "damaged"},
+    {"ShortGridOfFormat1",
+     sql(std::string(kToFormat1) + "UPDATE grid SET cells = x'00' WHERE place_id = 2"), "damaged"},
     {"OtherCellSize", sql("UPDATE grid SET cell_size = 0.2 WHERE place_id = 2"), "cells of 0.2"},
 };
 
@@ -260,6 +324,7 @@ TEST_P(DamagedStoreTest, IsRefusedWithTheReasonAndLeftAsItIs) {
     const PlaceStore store = open();
     store.graph();
     store.forEachGrid([](PlaceId, const EvidenceGrid&) {});
+    store.forEachPlanes([](PlaceId, const CellPlanes&) {});
     FAIL() << "the store was taken";
   } catch (const StoreError& error) {
     const std::string message = error.what();
@@ -272,6 +337,69 @@ TEST_P(DamagedStoreTest, IsRefusedWithTheReasonAndLeftAsItIs) {
 
 INSTANTIATE_TEST_SUITE_P(All, DamagedStoreTest, testing::ValuesIn(kDamages),
                          [](const auto& damage) { return std::string(damage.param.name); });
+
+// A store that is too large to be checked in full at every start.
+class LargeStoreTest : public PlaceStoreTest {
+ protected:
+  PlaceStore openLarge() {
+    StoreOpening opening;
+    opening.full_check_size = 0;
+    opening.progress = [this](const std::string& sentence) { said_ += sentence + '\n'; };
+    return PlaceStore(path_, kDefaultCellSize, opening);
+  }
+
+  void readForMatching() {
+    const PlaceStore store = openLarge();
+    store.graph();
+    store.forEachPlanes([](PlaceId, const CellPlanes&) {});
+  }
+
+  std::string said_;
+};
+
+TEST_F(LargeStoreTest, IsReadWithoutBeingChecked) {
+  fill();
+  EXPECT_NO_THROW(readForMatching());
+  EXPECT_EQ(said_, "");
+}
+
+TEST_F(LargeStoreTest, FindsDamageInWhatIsRead) {
+  for (const Damage& damage : kDamages) {
+    const std::string name = damage.name;
+    const bool in_what_matching_needs = name != "GridWithoutPlace" && name != "PlaceWithoutGrid" &&
+                                        name != "ShortGrid" && name != "GridOfNull" &&
+                                        name != "OtherCellSize";
+    if (!in_what_matching_needs) continue;
+    fs::remove(path_);
+    fill();
+    damage.inflict(path_);
+    EXPECT_THROW(readForMatching(), StoreError) << name;
+  }
+}
+
+TEST_F(LargeStoreTest, FindsDamageOfAGridWhenItIsAskedFor) {
+  fill();
+  runSql(path_, "UPDATE grid SET cells = zeroblob(4096) WHERE place_id = 2");
+  EXPECT_NO_THROW(readForMatching());
+  const PlaceStore store = openLarge();
+  EXPECT_THROW(store.grid(2), StoreError);
+  EXPECT_EQ(store.grid(3), makeGrid(3));
+}
+
+TEST_F(LargeStoreTest, RefusesAStoreOfOtherCells) {
+  fill();
+  runSql(path_, "UPDATE grid SET cell_size = 0.2");
+  EXPECT_THROW(openLarge(), StoreError);
+}
+
+TEST_F(LargeStoreTest, IsCheckedInFullWhereItsLastUserDidNotEndWell) {
+  fill();
+  runSql(path_, "DELETE FROM place WHERE id = 2");  // leaves its grid: SQLite's default
+  EXPECT_NO_THROW(openLarge());
+  writeFile(path_ + "-journal", "");
+  EXPECT_THROW(openLarge(), StoreError);
+  EXPECT_NE(said_.find("checking"), std::string::npos) << said_;
+}
 
 TEST_F(PlaceStoreTest, RefusesAFolder) {
   EXPECT_THROW(PlaceStore(folder_.path().string(), kDefaultCellSize), StoreError);
