@@ -72,6 +72,11 @@ void readMatch(ParameterReader& reader, MatchOptions& match) {
   reader.number("match/confidence", open(0.5, 1.0), match.recognizer.confidence);
 }
 
+void readPlaces(ParameterReader& reader, core::AdaptationOptions& places) {
+  reader.flag("places/adapt", places.enabled);
+  reader.number("places/retention", {0.0, 1.0, true, false}, places.retention);
+}
+
 Parameters readAll(ParameterReader& reader) {
   Parameters parameters;
   reader.text("odom_frame", checkOptionalFrame, parameters.odom_frame);
@@ -84,6 +89,7 @@ Parameters readAll(ParameterReader& reader) {
   readSonar(reader, parameters.sonar);
   readScan(reader, parameters.scan);
   readMatch(reader, parameters.match);
+  readPlaces(reader, parameters.places);
   return parameters;
 }
 

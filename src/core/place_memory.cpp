@@ -31,8 +31,14 @@ auto onStore(const Call& call) {
 PlaceMemory::PlaceMemory(const PlaceMemoryOptions& options)
     : cell_size_(options.cell_size),
       recognizer_(options.recognizer),
+      adaptation_(options.adaptation),
+      sonar_(options.sonar),
       store_(options.store_path, options.cell_size),
       graph_(store_.graph()) {
+  // Written so that NaN fails.
+  if (!(adaptation_.retention >= 0.0 && adaptation_.retention < 1.0)) {
+    throw std::invalid_argument("adaptation retention must lie in [0, 1)");
+  }
   store_.forEachGrid([this](PlaceId id, const EvidenceGrid& grid) {
     index_.put(id, graph_.find(id)->map_from_place, grid);
   });
@@ -78,6 +84,25 @@ LabelledRecognition PlaceMemory::recognize(const Scan& scan, double heading_wind
     if (recognition.verdict == Verdict::kRecognized) previous_ = recognition.matches.front().id;
     return {std::move(recognition), std::move(*labels)};
   }
+}
+
+bool PlaceMemory::adapt(const Scan& scan, const Recognition& recognition) {
+  if (!adaptation_.enabled || recognition.verdict != Verdict::kRecognized) return false;
+  const PlaceMatch& match = recognition.matches.front();
+  const EvidenceGrid sensed =
+      sonar_.build(movedReadings(scan.readings, match.place_from_scan), GridGeometry{cell_size_});
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Place* place = graph_.find(match.id);
+  // Evidence that is already in the grid is no further evidence.
+  if (place == nullptr || place->learned == scan.end || last_folded_ == scan.end) return false;
+  onStore([&] {
+    EvidenceGrid grid = store_.grid(match.id);
+    fuse(sensed, adaptation_.retention, grid);
+    store_.update(match.id, grid);
+    index_.put(match.id, place->map_from_place, grid);
+  });
+  last_folded_ = scan.end;
+  return true;
 }
 
 void PlaceMemory::rename(const std::string& label, const std::string& new_label) {

@@ -51,6 +51,8 @@ std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
   options.store_path = parameters_.store;
   options.cell_size = parameters_.grid.cell_size;
   options.recognizer = parameters_.match.recognizer;
+  options.adaptation = parameters_.places;
+  options.sonar = parameters_.sonar;
   try {
     auto memory = std::make_unique<core::PlaceMemory>(options);
     ROS_INFO("%zu places are known", memory->size());

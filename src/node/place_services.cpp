@@ -1,5 +1,6 @@
 #include "place_memory/node/place_services.h"
 
+#include <ros/console.h>
 #include <ros/init.h>
 #include <ros/time.h>
 
@@ -195,11 +196,24 @@ void PlaceServices::recognize(const RecognizePlace::Request& request,
         toMessage(answer, makeHeader(context_.parameters.map_frame, toRosTime(scan->end)),
                   ros::Duration(duration.count()));
     response.message = inWords(answer);
+    adapt(*scan, answer);
     context_.publisher.publishRecognition(*scan, answer, response.recognition);
   } catch (const std::exception& error) {
     response.status =
         is_cancelled() ? RecognizePlace::Response::CANCELED : RecognizePlace::Response::FAILED;
     response.message = error.what();
+  }
+}
+
+// The answer stands whether or not the place can follow.
+void PlaceServices::adapt(const core::Scan& scan, const core::LabelledRecognition& answer) {
+  try {
+    if (context_.memory.adapt(scan, answer.recognition)) {
+      ROS_INFO("The scan was folded into %s", quoted(answer.labels.front()).c_str());
+    }
+  } catch (const core::PlaceMemoryError& error) {
+    ROS_WARN("The scan was not folded into %s: %s", quoted(answer.labels.front()).c_str(),
+             error.what());
   }
 }
 

@@ -64,6 +64,8 @@ core::PlaceMemoryOptions memoryOptions(const config::Parameters& parameters,
   options.store_path = store.empty() ? parameters.store : store;
   options.cell_size = parameters.grid.cell_size;
   options.recognizer = parameters.match.recognizer;
+  options.adaptation = parameters.places;
+  options.sonar = parameters.sonar;
   return options;
 }
 
@@ -93,6 +95,8 @@ void process(const Arguments& arguments) {
     if (result.status != "ok") {
       ++failed;
       bar.note("event " + std::to_string(i + 1) + ": " + result.status + ": " + result.message);
+    } else if (!result.message.empty()) {
+      bar.note("event " + std::to_string(i + 1) + ": " + result.message);
     }
     writeRow(events[i], result, table);
   }

@@ -45,6 +45,15 @@ Result learn(const Event& event, const core::Scan& scan, core::PlaceMemory& memo
   return result;
 }
 
+void adapt(const core::Scan& scan, const core::Recognition& recognition, core::PlaceMemory& memory,
+           Result& result) {
+  try {
+    memory.adapt(scan, recognition);
+  } catch (const core::PlaceMemoryError& error) {
+    result.message = "the place is as it was: " + std::string(error.what());
+  }
+}
+
 Result recognize(const Event& event, const core::Scan& scan, core::PlaceMemory& memory) {
   Result result;
   const auto before = std::chrono::steady_clock::now();
@@ -59,6 +68,7 @@ Result recognize(const Event& event, const core::Scan& scan, core::PlaceMemory& 
   result.score = best.score;
   result.probability = best.probability;
   result.robot = answer.recognition.map_from_robot;
+  adapt(scan, answer.recognition, memory, result);
   return result;
 }
 

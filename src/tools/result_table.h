@@ -12,7 +12,7 @@ namespace place_memory::tools {
 /// What came of an event; fields that it has no value for stay empty.
 struct Result {
   std::string status;   ///< ok, or a word that says what went wrong
-  std::string message;  ///< what went wrong, in a sentence
+  std::string message;  ///< what went wrong, in a sentence; where all is well, empty
   std::string verdict;  ///< of a recognition: recognized, ambiguous or unknown
   std::string place;    ///< label of the place that was learned, or that matches best
   bool matched = false;
@@ -22,7 +22,8 @@ struct Result {
   double match_ms = 0.0;
 };
 
-/// Learns or recognizes; never throws for what the memory refuses.
+/// Learns or recognizes, and where places adapt, adapts the one recognized; never throws for what
+/// the memory refuses.
 Result run(const Event& event, const core::Scan& scan, core::PlaceMemory& memory);
 
 void writeHeader(std::ostream& table);

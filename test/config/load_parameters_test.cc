@@ -61,6 +61,8 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_EQ(a.match.recognizer.confidence, b.match.recognizer.confidence);
   EXPECT_EQ(a.match.recognizer.metric.weights, b.match.recognizer.metric.weights);
   EXPECT_NEAR(a.match.heading_window, b.match.heading_window, 1e-6);
+  EXPECT_EQ(a.places.enabled, b.places.enabled);
+  EXPECT_EQ(a.places.retention, b.places.retention);
 }
 
 TEST(LoadParameters, FileOfDefaultsHoldsTheDefaults) {
@@ -190,6 +192,9 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"match: {position_window: 0}", "must be in (0, 100]"},
         Malformed{"match: {heading_window: 3.2}", "must be in [0, 3.14159]"},
         Malformed{"match: {confidence: 0.5}", "must be in (0.5, 1)"},
+        Malformed{"places: {adapt: 1}", "must be true or false, not '1'"},
+        Malformed{"places: {retention: 1}", "must be in [0, 1)"},
+        Malformed{"places: {retention: -0.1}", "must be in [0, 1)"},
         Malformed{"base_frame: ''", "must not be empty"},
         Malformed{"base_frame: /base_link", "must not begin with a slash"},
         Malformed{"odom_frame: base_link", "must not be the same frame"},

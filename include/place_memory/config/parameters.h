@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "place_memory/core/grid_fusion.h"
 #include "place_memory/core/grid_geometry.h"
 #include "place_memory/core/pose2d.h"
 #include "place_memory/core/recognizer_options.h"
@@ -50,6 +51,7 @@ struct Parameters {
   core::SonarModelOptions sonar;
   ScanOptions scan;
   MatchOptions match;
+  core::AdaptationOptions places;
 };
 
 }  // namespace place_memory::config

@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_CORE_PLACE_MEMORY_H
 #define PLACE_MEMORY_CORE_PLACE_MEMORY_H
 
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -8,12 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "place_memory/core/grid_fusion.h"
 #include "place_memory/core/place_graph.h"
 #include "place_memory/core/place_index.h"
 #include "place_memory/core/place_store.h"
 #include "place_memory/core/recognition.h"
 #include "place_memory/core/recognizer.h"
 #include "place_memory/core/scan.h"
+#include "place_memory/core/sonar_model.h"
 
 namespace place_memory::core {
 
@@ -41,6 +44,8 @@ struct PlaceMemoryOptions {
   std::string store_path;               ///< file of the places; "": in memory only
   double cell_size = kDefaultCellSize;  ///< of all grids [m], > 0
   RecognizerOptions recognizer;
+  AdaptationOptions adaptation;
+  SonarModelOptions sonar;  ///< with which scans that places follow are laid into their grids
 };
 
 /// A recognition with the labels of its matches, in their order.
@@ -66,6 +71,12 @@ class PlaceMemory {
   LabelledRecognition recognize(const Scan& scan, double heading_window,
                                 const std::function<bool()>& cancelled = nullptr);
 
+  /// Where places adapt, folds the scan, of which `recognition` is the answer, into the grid of the
+  /// place; the place's location stays. Nothing happens unless the verdict is RECOGNIZED, nor where
+  /// the place is gone by now, nor with the scan that it was learned from or that was folded last.
+  /// Returns whether it was folded. Throws PlaceMemoryError; the place is then as it was.
+  bool adapt(const Scan& scan, const Recognition& recognition);
+
   /// Throws PlaceMemoryError.
   void rename(const std::string& label, const std::string& new_label);
   /// Removes the place and its links. Throws PlaceMemoryError.
@@ -78,7 +89,7 @@ class PlaceMemory {
   /// The map as it is now.
   PlaceGraph graph() const;
   std::optional<Place> place(PlaceId id) const;
-  /// The grid as it was learned. Throws PlaceMemoryError.
+  /// The grid as it was learned, and adapted since. Throws PlaceMemoryError.
   EvidenceGrid grid(PlaceId id) const;
 
   /// The place that was last learned or last recognized, which the next one is linked to.
@@ -95,12 +106,15 @@ class PlaceMemory {
 
   const double cell_size_;
   const Recognizer recognizer_;
+  const AdaptationOptions adaptation_;
+  const SonarModel sonar_;
 
   mutable std::mutex mutex_;  ///< guards everything below
   PlaceStore store_;
   PlaceGraph graph_;
   PlaceIndex index_;
   PlaceId previous_ = kNoPlace;
+  std::optional<std::chrono::nanoseconds> last_folded_;  ///< when that scan ended
 };
 
 }  // namespace place_memory::core
