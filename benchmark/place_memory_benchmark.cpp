@@ -23,11 +23,15 @@ std::optional<Options> readArguments(int argc, char** argv) {
       "of the largest memory, at least 21")(
       "max-full", po::value(&options.max_full)->default_value(options.max_full),
       "of the largest memory that is searched in full")(
+      "max-stored", po::value(&options.max_stored)->default_value(options.max_stored),
+      "of the largest store, 6 KB a place")(
       "queries", po::value(&options.queries)->default_value(options.queries),
       "put to each memory at the most, at least 1")(
       "folder",
       po::value(&options.folder)->default_value(std::filesystem::temp_directory_path().string()),
-      "for stores, which are removed again");
+      "for stores, which are removed again")(
+      "write-store", po::value(&options.store_to_write),
+      "writes a store of max-places places to this file, and measures nothing");
   po::variables_map values;
   po::store(po::parse_command_line(argc, argv, known), values);
   if (values.count("help") > 0) {
@@ -51,8 +55,14 @@ int main(int argc, char** argv) {
     const auto options = readArguments(argc, argv);
     if (!options) return EXIT_SUCCESS;
     Setting setting(*options);
+    if (!options->store_to_write.empty()) {
+      writeStore(options->store_to_write, setting.memory(options->max_places));
+      return EXIT_SUCCESS;
+    }
     registerParts(setting);
     registerRecognition(setting);
+    registerStrangers(setting);
+    registerStore(setting);
     ::benchmark::RunSpecifiedBenchmarks();
   } catch (const std::exception& error) {
     std::cerr << "place_memory_benchmark: " << error.what() << '\n';

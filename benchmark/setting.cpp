@@ -20,11 +20,16 @@ const SimulatedPlaces& Setting::simulated() {
 
 const core::PlaceIndex& Setting::index(std::size_t size) {
   if (index_size_ != size) {
-    index_.clear();
+    dropIndex();
     index_ = memory(size).index();
     index_size_ = size;
   }
   return index_;
+}
+
+void Setting::dropIndex() {
+  index_.clear();
+  index_size_ = 0;
 }
 
 std::size_t Setting::affordableQueries(std::size_t size, double seconds_per_place) const {

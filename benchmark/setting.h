@@ -12,8 +12,10 @@ namespace place_memory::measure {
 struct Options {
   std::size_t max_places = 1000;  ///< of the largest memory
   std::size_t max_full = 1000;    ///< of the largest that is searched in full
+  std::size_t max_stored = 1000;  ///< of the largest store
   std::size_t queries = 400;      ///< put to each memory at the most
   std::string folder;             ///< for stores
+  std::string store_to_write;     ///< "": none
 };
 
 /// What all benchmarks of one run share. Everything is made when it is first asked for.
@@ -27,6 +29,7 @@ class Setting {
   const SimulatedPlaces& simulated();
   /// The newest one is kept, so benchmarks of one size should follow each other.
   const core::PlaceIndex& index(std::size_t size);
+  void dropIndex();
   SyntheticMemory memory(std::size_t size) { return {simulated(), size}; }
 
   /// Queries that take about a minute where one takes `seconds_per_place` for each place.
@@ -42,6 +45,9 @@ class Setting {
 
 /// "1000" as it stands in the names of benchmarks, behind "local" or "any".
 std::string benchmarkName(const std::string& what, bool any_heading, std::size_t places);
+
+/// Makes a store of every place of the memory, linked one after the other.
+void writeStore(const std::string& path, const SyntheticMemory& memory);
 
 // Each registers the benchmarks of one file; the setting has to outlive them.
 void registerParts(Setting& setting);

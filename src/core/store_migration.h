@@ -10,7 +10,7 @@ namespace place_memory::core {
 inline constexpr char kPlanesSchema[] = R"(
   CREATE TABLE planes(
     place_id INTEGER PRIMARY KEY REFERENCES place(id) ON DELETE CASCADE,
-    checksum INTEGER NOT NULL,    -- CRC-32 of cells
+    checksum INTEGER NOT NULL,    -- FNV-1a of the words of cells
     cells BLOB NOT NULL           -- which are occupied, then which are empty: a bit a cell
   );
 )";

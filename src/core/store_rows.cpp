@@ -19,6 +19,16 @@ std::int64_t checksum(const void* bytes, std::size_t size) {
   return crc.checksum();
 }
 
+/// FNV-1a, over words: changes with any one word, and takes a tenth of a CRC-32's time, which is
+/// what the start with a million places would otherwise consist of.
+std::int64_t checksum(const CellPlanes& planes) {
+  std::uint64_t sum = 0xcbf29ce484222325U;
+  for (const BitPlane* plane : {&planes.occupied, &planes.empty}) {
+    for (const std::uint64_t row : *plane) sum = (sum ^ row) * 0x100000001b3U;
+  }
+  return static_cast<std::int64_t>(sum);
+}
+
 void pack(const BitPlane& plane, unsigned char* bytes) {
   for (const std::uint64_t row : plane) {
     for (std::size_t i = 0; i < kWordBytes; ++i) {
@@ -41,14 +51,8 @@ PlaneBytes packed(const CellPlanes& planes) {
   return bytes;
 }
 
-/// The blob behind a checksum, which has this size.
-const void* checkedBlob(const SqliteDatabase& database, const SqliteStatement& row, int column,
-                        std::size_t size, const char* what) {
-  const void* bytes = row.blob(column + 1);
-  if (row.size(column + 1) != size || checksum(bytes, size) != row.integer(column)) {
-    throwStoreError(database.path(), std::string("is damaged: ") + what + " not as written");
-  }
-  return bytes;
+[[noreturn]] void refuse(const SqliteDatabase& database, const char* what) {
+  throwStoreError(database.path(), std::string("is damaged: ") + what + " not as written");
 }
 
 }  // namespace
@@ -66,7 +70,7 @@ void insertPlanes(SqliteDatabase& database, PlaceId place, const CellPlanes& pla
   const PlaneBytes bytes = packed(planes);
   SqliteStatement(database, "INSERT INTO planes VALUES(?, ?, ?)")
       .bind(place)
-      .bind(checksum(bytes.data(), bytes.size()))
+      .bind(checksum(planes))
       .bind(bytes.data(), bytes.size())
       .run();
 }
@@ -78,9 +82,10 @@ bool updateGrid(SqliteDatabase& database, PlaceId place, const EvidenceGrid& gri
       .bind(place)
       .run();
   if (sqlite3_changes(database.handle()) == 0) return false;
-  const PlaneBytes bytes = packed(CellPlanes(grid));
+  const CellPlanes planes(grid);
+  const PlaneBytes bytes = packed(planes);
   SqliteStatement(database, "UPDATE planes SET checksum = ?, cells = ? WHERE place_id = ?")
-      .bind(checksum(bytes.data(), bytes.size()))
+      .bind(checksum(planes))
       .bind(bytes.data(), bytes.size())
       .bind(place)
       .run();
@@ -89,18 +94,22 @@ bool updateGrid(SqliteDatabase& database, PlaceId place, const EvidenceGrid& gri
 
 EvidenceGrid readGrid(const SqliteDatabase& database, const SqliteStatement& row, int column,
                       double cell_size) {
+  const void* cells = row.blob(column + 1);
+  if (row.size(column + 1) != kGridCells || checksum(cells, kGridCells) != row.integer(column)) {
+    refuse(database, "a grid is");
+  }
   EvidenceGrid grid(GridGeometry{cell_size});
-  std::memcpy(grid.cells().data(), checkedBlob(database, row, column, kGridCells, "a grid is"),
-              kGridCells);
+  std::memcpy(grid.cells().data(), cells, kGridCells);
   return grid;
 }
 
 CellPlanes readPlanes(const SqliteDatabase& database, const SqliteStatement& row, int column) {
-  const auto* bytes = static_cast<const unsigned char*>(
-      checkedBlob(database, row, column, sizeof(PlaneBytes), "the bit planes of a place are"));
+  const auto* bytes = static_cast<const unsigned char*>(row.blob(column + 1));
   CellPlanes planes;
+  if (row.size(column + 1) != sizeof(PlaneBytes)) refuse(database, "the bit planes of a place are");
   unpack(bytes, planes.occupied);
   unpack(bytes + kPlaneBytes, planes.empty);
+  if (checksum(planes) != row.integer(column)) refuse(database, "the bit planes of a place are");
   return planes;
 }
 
