@@ -1,67 +1,93 @@
 #include "place_memory/core/place_index.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace place_memory::core {
-namespace {
-
-template <typename Entries>
-auto firstNotBelow(Entries& entries, PlaceId id) {
-  return std::lower_bound(
-      entries.begin(), entries.end(), id,
-      [](const PlaceIndex::Entry& entry, PlaceId key) { return entry.id < key; });
-}
-
-}  // namespace
 
 std::size_t PlaceIndex::blockOf(PlaceId id) const {
-  const auto block = std::lower_bound(
-      blocks_.begin(), blocks_.end(), id,
-      [](const std::shared_ptr<const Block>& b, PlaceId key) { return b->back().id < key; });
+  const auto block = std::lower_bound(blocks_.begin(), blocks_.end(), id,
+                                      [](const std::shared_ptr<const Block>& b, PlaceId key) {
+                                        return (*b)[b->size() - 1].id < key;
+                                      });
   return static_cast<std::size_t>(block - blocks_.begin());
 }
 
+CellPlanes PlaceIndex::cells(PlaceId id) const {
+  const std::size_t at = blockOf(id);
+  if (at == blocks_.size() || !blocks_[at]->holds(id)) {
+    throw std::out_of_range("place " + std::to_string(id) + " is not in the index");
+  }
+  return blocks_[at]->planes().get(blocks_[at]->slotOf(id));
+}
+
 void PlaceIndex::put(PlaceId id, const Pose2d& map_from_place, const EvidenceGrid& grid) {
-  Entry entry{id, map_from_place, CellPlanes(grid)};
+  put(id, map_from_place, CellPlanes(grid));
+}
+
+void PlaceIndex::put(PlaceId id, const Pose2d& map_from_place, const CellPlanes& cells) {
+  const Entry entry{id, map_from_place};
   std::size_t at = blockOf(id);
   if (at == blocks_.size() && at > 0 && blocks_.back()->size() < kBlockSize) --at;
   if (at == blocks_.size()) {
-    blocks_.push_back(std::make_shared<const Block>(Block{entry}));
+    const auto block = std::make_shared<Block>();
+    block->insert(0, entry, cells);
+    blocks_.push_back(block);
     ++size_;
     return;
   }
-  auto changed = std::make_shared<Block>(*blocks_[at]);
-  const auto place = firstNotBelow(*changed, id);
-  if (place != changed->end() && place->id == id) {
-    *place = entry;
-    blocks_[at] = std::move(changed);
+  if (blocks_[at]->holds(id)) {
+    const auto changed = std::make_shared<Block>(*blocks_[at]);
+    changed->replace(changed->slotOf(id), entry, cells);
+    blocks_[at] = changed;
     return;
   }
-  changed->insert(place, entry);
-  ++size_;
-  if (changed->size() > kBlockSize) {
-    const auto middle = changed->begin() + kBlockSize / 2;
-    auto upper = std::make_shared<const Block>(middle, changed->end());
-    changed->erase(middle, changed->end());
-    blocks_.insert(blocks_.begin() + static_cast<std::ptrdiff_t>(at) + 1, std::move(upper));
+  if (blocks_[at]->size() == kBlockSize) {
+    split(at);
+    at = blockOf(id);
   }
-  blocks_[at] = std::move(changed);
+  const auto changed = std::make_shared<Block>(*blocks_[at]);
+  changed->insert(changed->slotOf(id), entry, cells);
+  blocks_[at] = changed;
+  ++size_;
+}
+
+void PlaceIndex::split(std::size_t at) {
+  const auto lower = std::make_shared<Block>();
+  const auto upper = std::make_shared<Block>();
+  const Block& block = *blocks_[at];
+  for (std::size_t slot = 0; slot < block.size(); ++slot) {
+    Block& half = slot < block.size() / 2 ? *lower : *upper;
+    half.insert(half.size(), block[slot], block.planes().get(slot));
+  }
+  blocks_[at] = lower;
+  blocks_.insert(blocks_.begin() + static_cast<std::ptrdiff_t>(at) + 1, upper);
 }
 
 bool PlaceIndex::erase(PlaceId id) {
   const std::size_t at = blockOf(id);
-  if (at == blocks_.size()) return false;
-  const auto found = firstNotBelow(*blocks_[at], id);
-  if (found == blocks_[at]->end() || found->id != id) return false;
-  auto changed = std::make_shared<Block>(*blocks_[at]);
-  changed->erase(changed->begin() + (found - blocks_[at]->begin()));
-  if (changed->empty()) {
-    blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(at));
-  } else {
-    blocks_[at] = std::move(changed);
-  }
+  if (at == blocks_.size() || !blocks_[at]->holds(id)) return false;
+  const auto changed = std::make_shared<Block>(*blocks_[at]);
+  changed->erase(changed->slotOf(id));
+  blocks_[at] = changed;
   --size_;
+  joinNext(at);
+  if (at > 0) joinNext(at - 1);
+  if (blocks_.size() == 1 && size_ == 0) blocks_.clear();
   return true;
+}
+
+void PlaceIndex::joinNext(std::size_t at) {
+  if (at + 1 >= blocks_.size()) return;
+  const Block& next = *blocks_[at + 1];
+  if (blocks_[at]->size() + next.size() > kBlockSize) return;
+  const auto joined = std::make_shared<Block>(*blocks_[at]);
+  for (std::size_t slot = 0; slot < next.size(); ++slot) {
+    joined->insert(joined->size(), next[slot], next.planes().get(slot));
+  }
+  blocks_[at] = joined;
+  blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(at) + 1);
 }
 
 void PlaceIndex::clear() {

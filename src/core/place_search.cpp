@@ -13,8 +13,9 @@ std::vector<PlaceAlignment> searchPlaces(const QueryPlanes& query, const PlaceIn
   all.reserve(places.size());
   for (const auto& block : places.blocks()) {
     if (cancelled && cancelled()) throw std::runtime_error("recognition was cancelled");
-    for (const PlaceIndex::Entry& entry : *block) {
-      all.push_back({&entry, findAlignment(query, entry.planes, metric, window, method)});
+    for (std::size_t slot = 0; slot < block->size(); ++slot) {
+      const CellPlanes cells = block->planes().get(slot);
+      all.push_back({&(*block)[slot], findAlignment(query, cells, metric, window, method)});
     }
   }
   std::stable_sort(all.begin(), all.end(), [](const PlaceAlignment& a, const PlaceAlignment& b) {

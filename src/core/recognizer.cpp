@@ -85,6 +85,8 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
   const auto chosen = all.begin() + static_cast<std::ptrdiff_t>(consensus.chosen);
   std::rotate(all.begin(), chosen, chosen + 1);
 
+  const CellPlanes cells = places.cells(all.front().entry->id);
+
   Recognition recognition;
   for (const PlaceAlignment& found : all) {
     recognition.matches.push_back(
@@ -94,14 +96,13 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
   if (!sensedNothing(scan.grid)) {
     const PlaceAlignment& best = all.front();
     const PairCounts own = countPairs(query.at(0), {0, 0}, CellPlanes(scan.grid));
-    const PairCounts at =
-        countPairs(query.at(best.alignment.turn), best.alignment.shift, best.entry->planes);
+    const PairCounts at = countPairs(query.at(best.alignment.turn), best.alignment.shift, cells);
     const double lead = best.alignment.score - consensus.runner_up;
     judge(agreementOf(at, own), lead, options_.calibration, options_.confidence, recognition);
   }
   locate(scan, all.front(),
-         estimatePose(query, all.front().entry->planes, metric, window, all.front().alignment,
-                      cell_size, options_.calibration.sharpness),
+         estimatePose(query, cells, metric, window, all.front().alignment, cell_size,
+                      options_.calibration.sharpness),
          recognition);
   return recognition;
 }

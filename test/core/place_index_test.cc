@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -43,14 +44,16 @@ void expectSame(const PlaceIndex& index, const Oracle& oracle) {
     ASSERT_NE(block, nullptr);
     ASSERT_GE(block->size(), 1U);
     ASSERT_LE(block->size(), PlaceIndex::kBlockSize);
-    for (const PlaceIndex::Entry& entry : *block) {
+    for (std::size_t slot = 0; slot < block->size(); ++slot) {
+      const PlaceEntry& entry = (*block)[slot];
+      const CellPlanes cells = block->planes().get(slot);
       ASSERT_NE(expected, oracle.end());
       ASSERT_EQ(entry.id, expected->first);
       ASSERT_EQ(entry.map_from_place.x, expected->second.pose.x);
       ASSERT_EQ(entry.map_from_place.y, expected->second.pose.y);
       ASSERT_EQ(entry.map_from_place.yaw, expected->second.pose.yaw);
-      ASSERT_EQ(entry.planes.occupied, expected->second.planes.occupied);
-      ASSERT_EQ(entry.planes.empty, expected->second.planes.empty);
+      ASSERT_EQ(cells.occupied, expected->second.planes.occupied);
+      ASSERT_EQ(cells.empty, expected->second.planes.empty);
       ++expected;
     }
   }
@@ -101,6 +104,32 @@ TEST(PlaceIndex, RisingIdsFillTheirBlocks) {
     put(id, engine, index, oracle);
   }
   EXPECT_EQ(index.blocks().size(), 3U);
+}
+
+TEST(PlaceIndex, TellsTheCellsOfAPlace) {
+  std::mt19937 engine(26);
+  PlaceIndex index;
+  Oracle oracle;
+  for (PlaceId id = 1; id <= 40; id += 3) put(id, engine, index, oracle);
+  for (const auto& [id, kept] : oracle) {
+    EXPECT_EQ(index.cells(id).occupied, kept.planes.occupied);
+    EXPECT_EQ(index.cells(id).empty, kept.planes.empty);
+  }
+  for (const PlaceId id : {0, 2, 39, 41}) EXPECT_THROW(index.cells(id), std::out_of_range) << id;
+}
+
+TEST(PlaceIndex, BlocksThatErasingEmptiedAreJoined) {
+  std::mt19937 engine(27);
+  PlaceIndex index;
+  Oracle oracle;
+  for (PlaceId id = 1; id <= 640; ++id) put(id, engine, index, oracle);
+  for (PlaceId id = 1; id <= 640; ++id) {
+    if (id % 8 == 0) continue;
+    index.erase(id);
+    oracle.erase(id);
+  }
+  expectSame(index, oracle);
+  EXPECT_LE(index.blocks().size(), 2 * 80 / PlaceIndex::kBlockSize);
 }
 
 TEST(PlaceIndex, EraseTellsWhetherThePlaceWasThere) {

@@ -1,0 +1,50 @@
+#ifndef PLACE_MEMORY_CORE_PLACE_BLOCK_H
+#define PLACE_MEMORY_CORE_PLACE_BLOCK_H
+
+#include <array>
+#include <cstddef>
+
+#include "place_memory/core/place.h"
+#include "place_memory/core/plane_block.h"
+#include "place_memory/core/pose2d.h"
+
+namespace place_memory::core {
+
+/// What matching needs of a place beside its cells.
+struct PlaceEntry {
+  PlaceId id = kNoPlace;
+  Pose2d map_from_place;
+};
+
+/// Up to eight places by rising id, their cells as the matching kernels read them.
+class PlaceBlock {
+ public:
+  static constexpr std::size_t kCapacity = kBlockPlaces;
+
+  std::size_t size() const { return size_; }
+  /// Slots in [0, size()).
+  const PlaceEntry& operator[](std::size_t slot) const { return entries_[slot]; }
+  const PlaceEntry* begin() const { return entries_.data(); }
+  const PlaceEntry* end() const { return entries_.data() + size_; }
+  /// Slots from size() on are unsensed.
+  const PlaneBlock& planes() const { return planes_; }
+
+  /// First slot whose id is not below `id`; size() where there is none.
+  std::size_t slotOf(PlaceId id) const;
+  bool holds(PlaceId id) const;
+
+  /// At a slot in [0, size()), in the order of ids.
+  void replace(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells);
+  /// Before the place at a slot in [0, size()], in the order of ids; size() < kCapacity.
+  void insert(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells);
+  void erase(std::size_t slot);
+
+ private:
+  PlaneBlock planes_;
+  std::array<PlaceEntry, kCapacity> entries_{};
+  std::size_t size_ = 0;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_PLACE_BLOCK_H

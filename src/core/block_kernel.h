@@ -1,0 +1,64 @@
+#ifndef PLACE_MEMORY_CORE_BLOCK_KERNEL_H
+#define PLACE_MEMORY_CORE_BLOCK_KERNEL_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "place_memory/core/plane_block.h"
+
+namespace place_memory::core {
+
+/// A row of a recognition grid under some transform, the same for all places.
+struct QueryRow {
+  std::uint64_t occupied = 0;
+  std::uint64_t empty = 0;
+};
+
+/// Points for a pair of a sensed recognition cell (named first) and a sensed learned one, in fixed
+/// point.
+struct PairFactors {
+  std::int32_t occupied_occupied, occupied_empty;
+  std::int32_t empty_occupied, empty_empty;
+};
+
+/// Of each place of a block, for one transform.
+using BlockScores = std::array<std::int64_t, kBlockPlaces>;
+
+/// What a kernel works on.
+struct KernelInput {
+  const BlockRow* places;  ///< `rows` of them
+  const QueryRow* query;   ///< `rows` of them for each transform, one transform after the other
+  std::size_t rows;        ///< a multiple of 4, at most kGridSize
+  std::size_t transforms;
+  PairFactors factors;
+};
+
+/// Sets scores[t] to the points of all pairs of transform t with each place.
+using BlockKernel = void (*)(const KernelInput& input, BlockScores* scores);
+
+struct NamedKernel {
+  const char* instructions;
+  BlockKernel kernel;
+  bool runs_here;  ///< this processor has the instructions
+};
+
+/// Those compiled for this architecture, slowest first; the first one runs everywhere. All give the
+/// same integers.
+std::vector<NamedKernel> blockKernels();
+
+/// The last of blockKernels() that runs here.
+BlockKernel fastestBlockKernel();
+
+#if defined(__x86_64__)
+void scoreBlockPopcnt(const KernelInput& input, BlockScores* scores);
+void scoreBlockAvx2(const KernelInput& input, BlockScores* scores);
+void scoreBlockAvx512(const KernelInput& input, BlockScores* scores);
+#elif defined(__aarch64__)
+void scoreBlockNeon(const KernelInput& input, BlockScores* scores);
+#endif
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_BLOCK_KERNEL_H

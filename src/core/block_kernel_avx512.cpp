@@ -1,0 +1,75 @@
+#include "block_kernel.h"
+
+#if defined(__x86_64__)
+
+#include <immintrin.h>
+
+#define PLACE_MEMORY_AVX512 gnu::target("avx512f,avx512vpopcntdq")
+
+namespace place_memory::core {
+namespace {
+
+/// Pairs of one transform, eight places side by side.
+struct Counts {
+  __m512i oo, oe, eo, ee;
+};
+
+[[PLACE_MEMORY_AVX512, gnu::always_inline]] inline void count(__m512i learned_o, __m512i learned_e,
+                                                              const QueryRow& row, Counts& n) {
+  const __m512i o = _mm512_set1_epi64(static_cast<long long>(row.occupied));
+  const __m512i e = _mm512_set1_epi64(static_cast<long long>(row.empty));
+  n.oo = _mm512_add_epi64(n.oo, _mm512_popcnt_epi64(_mm512_and_si512(o, learned_o)));
+  n.oe = _mm512_add_epi64(n.oe, _mm512_popcnt_epi64(_mm512_and_si512(o, learned_e)));
+  n.eo = _mm512_add_epi64(n.eo, _mm512_popcnt_epi64(_mm512_and_si512(e, learned_o)));
+  n.ee = _mm512_add_epi64(n.ee, _mm512_popcnt_epi64(_mm512_and_si512(e, learned_e)));
+}
+
+[[PLACE_MEMORY_AVX512, gnu::always_inline]] inline __m512i points(__m512i counts,
+                                                                  std::int32_t factor) {
+  constexpr __mmask8 kAllLanes = 0xff;  // GCC takes the form without a mask for uninitialized
+  return _mm512_maskz_mul_epi32(kAllLanes, counts, _mm512_set1_epi64(factor));
+}
+
+[[PLACE_MEMORY_AVX512, gnu::always_inline]] inline void store(const Counts& n,
+                                                              const PairFactors& factors,
+                                                              BlockScores& scores) {
+  const __m512i o = _mm512_add_epi64(points(n.oo, factors.occupied_occupied),
+                                     points(n.oe, factors.occupied_empty));
+  const __m512i e =
+      _mm512_add_epi64(points(n.eo, factors.empty_occupied), points(n.ee, factors.empty_empty));
+  _mm512_storeu_si512(scores.data(), _mm512_add_epi64(o, e));
+}
+
+/// kTogether transforms share what is read of the places.
+template <std::size_t kTogether>
+[[PLACE_MEMORY_AVX512, gnu::always_inline]] inline void scoreTogether(const KernelInput& input,
+                                                                      std::size_t first,
+                                                                      BlockScores* scores) {
+  const __m512i zero = _mm512_setzero_si512();
+  Counts counts[kTogether];
+  for (Counts& n : counts) n = {zero, zero, zero, zero};
+  const QueryRow* query = input.query + first * input.rows;
+  for (std::size_t row = 0; row < input.rows; ++row) {
+    const __m512i learned_o = _mm512_load_si512(input.places[row].occupied.data());
+    const __m512i learned_e = _mm512_load_si512(input.places[row].empty.data());
+    for (std::size_t t = 0; t < kTogether; ++t) {
+      count(learned_o, learned_e, query[t * input.rows + row], counts[t]);
+    }
+  }
+  for (std::size_t t = 0; t < kTogether; ++t) store(counts[t], input.factors, scores[first + t]);
+}
+
+}  // namespace
+
+[[PLACE_MEMORY_AVX512]] void scoreBlockAvx512(const KernelInput& input, BlockScores* scores) {
+  constexpr std::size_t kTogether = 2;
+  std::size_t t = 0;
+  for (; t + kTogether <= input.transforms; t += kTogether) {
+    scoreTogether<kTogether>(input, t, scores);
+  }
+  for (; t < input.transforms; ++t) scoreTogether<1>(input, t, scores);
+}
+
+}  // namespace place_memory::core
+
+#endif

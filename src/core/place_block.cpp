@@ -1,0 +1,39 @@
+#include "place_memory/core/place_block.h"
+
+#include <algorithm>
+
+namespace place_memory::core {
+
+std::size_t PlaceBlock::slotOf(PlaceId id) const {
+  const auto* place = std::lower_bound(
+      begin(), end(), id, [](const PlaceEntry& entry, PlaceId key) { return entry.id < key; });
+  return static_cast<std::size_t>(place - begin());
+}
+
+bool PlaceBlock::holds(PlaceId id) const {
+  const std::size_t slot = slotOf(id);
+  return slot < size_ && entries_[slot].id == id;
+}
+
+void PlaceBlock::replace(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells) {
+  entries_[slot] = entry;
+  planes_.set(slot, cells);
+}
+
+void PlaceBlock::insert(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells) {
+  for (std::size_t to = size_; to > slot; --to) {
+    replace(to, entries_[to - 1], planes_.get(to - 1));
+  }
+  replace(slot, entry, cells);
+  ++size_;
+}
+
+void PlaceBlock::erase(std::size_t slot) {
+  --size_;
+  for (std::size_t to = slot; to < size_; ++to) {
+    replace(to, entries_[to + 1], planes_.get(to + 1));
+  }
+  replace(size_, {}, {});
+}
+
+}  // namespace place_memory::core

@@ -1,0 +1,158 @@
+#include "core/block_kernel.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+namespace place_memory::core {
+namespace {
+
+constexpr std::size_t kMostTransforms = 5;
+
+/// A class for each cell: 0 unsensed, 1 occupied, 2 empty.
+using Draw = int (*)(std::mt19937& engine, std::size_t row, unsigned column);
+
+struct NamedDraw {
+  const char* name;
+  Draw draw;
+};
+
+const NamedDraw kDraws[] = {
+    {"any", [](std::mt19937& engine, std::size_t, unsigned) { return int(engine() % 3U); }},
+    {"sparse", [](std::mt19937& engine, std::size_t,
+                  unsigned) { return engine() % 40 == 0 ? 1 + int(engine() % 2U) : 0; }},
+    {"unsensed", [](std::mt19937&, std::size_t, unsigned) { return 0; }},
+    {"occupied", [](std::mt19937&, std::size_t, unsigned) { return 1; }},
+    {"empty", [](std::mt19937&, std::size_t, unsigned) { return 2; }},
+    {"rim",
+     [](std::mt19937& engine, std::size_t row, unsigned column) {
+       const bool rim = row == 0 || row == kGridSize - 1 || column == 0 || column == kGridSize - 1;
+       return rim ? 1 + int(engine() % 2U) : 0;
+     }},
+};
+
+QueryRow rowOf(const NamedDraw& draw, std::mt19937& engine, std::size_t row) {
+  QueryRow drawn;
+  for (unsigned column = 0; column < kGridSize; ++column) {
+    const int cell = draw.draw(engine, row, column);
+    const std::uint64_t bit = std::uint64_t{1} << column;
+    if (cell == 1) drawn.occupied |= bit;
+    if (cell == 2) drawn.empty |= bit;
+  }
+  return drawn;
+}
+
+struct Grids {
+  std::vector<BlockRow> places;
+  std::vector<QueryRow> query;
+};
+
+Grids draw(const NamedDraw& places, const NamedDraw& query, std::size_t rows, unsigned seed) {
+  std::mt19937 engine(seed);
+  Grids grids{std::vector<BlockRow>(rows), {}};
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t place = 0; place < kBlockPlaces; ++place) {
+      const QueryRow drawn = rowOf(places, engine, row);
+      grids.places[row].occupied[place] = drawn.occupied;
+      grids.places[row].empty[place] = drawn.empty;
+    }
+  }
+  for (std::size_t i = 0; i < kMostTransforms * rows; ++i) {
+    grids.query.push_back(rowOf(query, engine, i % rows));
+  }
+  return grids;
+}
+
+/// Cell by cell.
+std::vector<BlockScores> naiveScores(const KernelInput& input) {
+  std::vector<BlockScores> scores(input.transforms, BlockScores{});
+  const auto isSet = [](std::uint64_t word, unsigned column) { return (word >> column & 1U) != 0; };
+  for (std::size_t t = 0; t < input.transforms; ++t) {
+    for (std::size_t row = 0; row < input.rows; ++row) {
+      const QueryRow& query = input.query[t * input.rows + row];
+      for (std::size_t place = 0; place < kBlockPlaces; ++place) {
+        for (unsigned column = 0; column < kGridSize; ++column) {
+          const bool on_occupied = isSet(input.places[row].occupied[place], column);
+          const bool on_empty = isSet(input.places[row].empty[place], column);
+          if (isSet(query.occupied, column)) {
+            if (on_occupied) scores[t][place] += input.factors.occupied_occupied;
+            if (on_empty) scores[t][place] += input.factors.occupied_empty;
+          }
+          if (isSet(query.empty, column)) {
+            if (on_occupied) scores[t][place] += input.factors.empty_occupied;
+            if (on_empty) scores[t][place] += input.factors.empty_empty;
+          }
+        }
+      }
+    }
+  }
+  return scores;
+}
+
+class EachKernel : public testing::TestWithParam<NamedKernel> {
+ protected:
+  void SetUp() override {
+    if (!GetParam().runs_here) {
+      GTEST_SKIP() << "this processor lacks " << GetParam().instructions;
+    }
+  }
+
+  void expectOracle(const KernelInput& input) {
+    std::vector<BlockScores> scores(input.transforms);
+    GetParam().kernel(input, scores.data());
+    ASSERT_EQ(scores, naiveScores(input));
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(BlockKernel, EachKernel, testing::ValuesIn(blockKernels()),
+                         [](const testing::TestParamInfo<NamedKernel>& info) {
+                           return std::string(info.param.instructions);
+                         });
+
+TEST_P(EachKernel, EqualsTheCountCellByCell) {
+  unsigned seed = 0;
+  for (const std::size_t rows :
+       {std::size_t{4}, std::size_t{12}, std::size_t{16}, std::size_t{64}}) {
+    for (const NamedDraw& places : kDraws) {
+      for (const NamedDraw& query : kDraws) {
+        const Grids grids = draw(places, query, rows, ++seed);
+        SCOPED_TRACE(std::string(query.name) + " on " + places.name);
+        expectOracle({grids.places.data(), grids.query.data(), rows, 2, {7, -5, -3, 2}});
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+TEST_P(EachKernel, EachKindOfPairHasItsFactor) {
+  const Grids grids = draw(kDraws[0], kDraws[0], kGridSize, 77);
+  constexpr std::int32_t kMost = std::int32_t{1} << 30;
+  for (const PairFactors& factors :
+       {PairFactors{1, 0, 0, 0}, PairFactors{0, 1, 0, 0}, PairFactors{0, 0, 1, 0},
+        PairFactors{0, 0, 0, 1}, PairFactors{kMost, kMost, kMost, kMost},
+        PairFactors{-kMost, -kMost, -kMost, -kMost}, PairFactors{0, 0, 0, 0}}) {
+    expectOracle({grids.places.data(), grids.query.data(), kGridSize, 2, factors});
+  }
+}
+
+TEST_P(EachKernel, TakesAnyNumberOfTransforms) {
+  const Grids grids = draw(kDraws[0], kDraws[0], 16, 78);
+  for (std::size_t transforms = 0; transforms <= kMostTransforms; ++transforms) {
+    expectOracle({grids.places.data(), grids.query.data(), 16, transforms, {7, -5, -3, 2}});
+  }
+}
+
+TEST(BlockKernels, TheFirstRunsEverywhereAndTheFastestHere) {
+  const std::vector<NamedKernel> kernels = blockKernels();
+  EXPECT_TRUE(kernels.front().runs_here);
+  BlockKernel last = nullptr;
+  for (const NamedKernel& named : kernels) {
+    if (named.runs_here) last = named.kernel;
+  }
+  EXPECT_EQ(fastestBlockKernel(), last);
+}
+
+}  // namespace
+}  // namespace place_memory::core
