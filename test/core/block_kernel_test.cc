@@ -107,8 +107,8 @@ class EachKernel : public testing::TestWithParam<NamedKernel> {
 };
 
 INSTANTIATE_TEST_SUITE_P(BlockKernel, EachKernel, testing::ValuesIn(blockKernels()),
-                         [](const testing::TestParamInfo<NamedKernel>& info) {
-                           return std::string(info.param.instructions);
+                         [](const testing::TestParamInfo<NamedKernel>& named) {
+                           return std::string(named.param.instructions);
                          });
 
 TEST_P(EachKernel, EqualsTheCountCellByCell) {
