@@ -14,8 +14,8 @@ using Cells = std::array<std::int8_t, core::kGridCells>;
 constexpr int kLast = kGridSize - 1;
 
 /// Nearest and farthest that the line of a splice passes by the middle of the grid [cells].
-constexpr double kNearest = 2.0;
-constexpr double kFarthest = 14.0;
+constexpr double kNearest = 4.0;
+constexpr double kFarthest = 18.0;
 /// Spliced buildings lie about on a map of this size [m].
 constexpr double kMapSize = 1e5;
 

@@ -116,6 +116,9 @@ void createFile(const std::string& path) {
   fs::remove(unfinished);
   {
     SqliteDatabase database(unfinished, true);
+    // The largest there is: the bit planes of sixty places then lie together. With SQLite's usual
+    // 4096 bytes a start with a million places reads seven times as long from a disk.
+    database.execute("PRAGMA page_size = 65536");
     createSchema(database);
   }
   fs::rename(unfinished, path);

@@ -295,7 +295,7 @@ const Damage kDamages[] = {
     {"OtherDatabase", sql("PRAGMA application_id = 7"), "is not a place store"},
     {"NewerVersion", sql("PRAGMA user_version = 3"), "newer version"},
     {"ScribbledSchema", scribbleAt(110), "damaged"},
-    {"ScribbledTable", scribbleAt(4096), "damaged"},
+    {"ScribbledTable", scribbleAt(65536), "damaged"},
     {"NoTables", sql("DROP TABLE link; DROP TABLE grid; DROP TABLE planes; DROP TABLE place"),
      "no such table"},
     {"PlaceWithoutGrid", sql("DELETE FROM grid WHERE place_id = 2"), "damaged"},
