@@ -24,6 +24,7 @@ METHODS = {  # name: title, colour, marker
     "default": ("default", "tab:blue", "o"),
     "default_laser": ("default, laser", "tab:green", "D"),
 }
+CURVES = {**METHODS, "default_adapting": ("default, places adapt", "tab:purple", "v")}
 SWEEPS = {  # name: axis, whether it is logarithmic, the value that the experiments have
     "shift": ("position shift along the hallway [m]", False, 0.61),
     "heading_error": ("heading error, up to [degrees]", False, 30.0),
@@ -53,7 +54,7 @@ def draw_curve(axes, rows, method):
     if not points:
         return
     x, accuracy, low, high = np.array(points).T
-    title, colour, marker = METHODS[method]
+    title, colour, marker = CURVES[method]
     axes.errorbar(x, accuracy, [np.maximum(accuracy - low, 0), np.maximum(high - accuracy, 0)],
                   color=colour, marker=marker, capsize=2, label=title)
 
@@ -109,6 +110,17 @@ def plot_sweeps(rows, folder):
         axes.axis("off")
     grid.flat[min(3, len(names) - 1)].legend(fontsize=8, loc="lower left")
     save(figure, folder, "sweeps")
+
+
+def plot_rearrangements(rows, folder):
+    """Accuracy of each method after each rearrangement of the office."""
+    figure, axes = plt.subplots(figsize=(7, 4), constrained_layout=True)
+    for method in CURVES:
+        points = [{"x": row["round"], **row} for row in rows if row["round"] != "all"]
+        draw_curve(axes, points, method)
+    finish_accuracy(axes, "rearrangements since the places were learned")
+    legend_above(axes, 3)
+    save(figure, folder, "rearrangements")
 
 
 def plot_experiments(rows, folder):
@@ -210,7 +222,8 @@ def plot_map(drawing, folder):
 def main(results, images):
     os.makedirs(images, exist_ok=True)
     for name, plots in [("summary", [plot_experiments]), ("reliability", [plot_reliability]),
-                        ("sweeps", [plot_chairs, plot_sweeps])]:
+                        ("sweeps", [plot_chairs, plot_sweeps]),
+                        ("rearrangements", [plot_rearrangements])]:
         path = os.path.join(results, name + ".csv")
         if not os.path.exists(path):
             continue

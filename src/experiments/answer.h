@@ -11,12 +11,17 @@ namespace place_memory::experiments {
 /// What a method made of one trial.
 struct Answer {
   std::uint64_t seed = 0;
-  bool known = true;   ///< false: the place was never learned
-  bool right = false;  ///< the best match is the place; false for strangers
+  bool known = true;      ///< false: the place was never learned
+  bool stranger = false;  ///< not known, and of another building
+  bool right = false;     ///< the best match is the place; false for strangers
   std::string expected;
   std::string given;  ///< label of the best match
   core::Verdict verdict = core::Verdict::kUnknown;
   double probability = 0.0;  ///< of the best match
+  int round = 0;             ///< of several times that the robot comes back, from 0 on
+  bool folded = false;       ///< into the best match
+  /// From the answered position to the true one, right or not [m]; NaN without a match.
+  double distance = 0.0;
   /// Of the robot's pose by the best match [m], [rad]; NaN unless right.
   double position_error = 0.0;
   double heading_error = 0.0;

@@ -21,6 +21,7 @@ Batch simulateBatch(const sim::World& world, const sim::SimulatedRobot& robot,
     const sim::World elsewhere = reportedBuilding(seed);
     batch.strangers = trials::simulateStrangers(elsewhere, robot, recipe, seed);
     thinOut(batch.strangers, strangers);
+    batch.unlearned = strangers;
   }
   return batch;
 }

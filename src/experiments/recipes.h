@@ -42,6 +42,18 @@ inline trials::Recipe hallwayRecipe(double shift) {
   return recipe;
 }
 
+/// The office from one round to the next: a few doors, chairs and pieces of furniture at a time,
+/// which add up until ten rounds show in a memory that stays as it was learned.
+inline trials::Recipe rearrangementRecipe() {
+  trials::Recipe recipe = officeRecipe();
+  recipe.doors_flipped = 0.05;
+  recipe.chairs_moved = 0.15;
+  recipe.furniture_moved = 0.05;
+  recipe.furniture_distance = 1.0;
+  recipe.shift = kOneFoot;
+  return recipe;
+}
+
 /// A building between two visits of one robot.
 inline trials::Recipe buildingRecipe() {
   trials::Recipe recipe;

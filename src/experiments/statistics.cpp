@@ -40,8 +40,8 @@ double calibrationError(const std::array<ReliabilityBin, kReliabilityBins>& bins
 void count(const Answer& answer, Summary& summary) {
   const bool recognized = answer.verdict == core::Verdict::kRecognized;
   if (!answer.known) {
-    ++summary.strangers;
-    if (recognized) ++summary.accepted;
+    ++(answer.stranger ? summary.strangers : summary.unlearned);
+    if (recognized) ++(answer.stranger ? summary.accepted : summary.unlearned_accepted);
     return;
   }
   ++summary.known;

@@ -37,9 +37,11 @@ struct Summary {
   double within_foot = 0.0;     ///< share of the right ones that are off by no more
   std::size_t recognized = 0;   ///< known, right and RECOGNIZED
   std::size_t wrong = 0;        ///< known, not right and yet RECOGNIZED
-  std::size_t strangers = 0;
-  std::size_t accepted = 0;  ///< strangers RECOGNIZED
-  /// Of the best match being right, over known and strangers; strangers are never right.
+  std::size_t strangers = 0;    ///< scans of another building
+  std::size_t accepted = 0;     ///< strangers RECOGNIZED
+  std::size_t unlearned = 0;    ///< scans of this building, far from every place in the memory
+  std::size_t unlearned_accepted = 0;  ///< of them RECOGNIZED
+  /// Of the best match being right, over all of them; what was never learned is never right.
   std::array<ReliabilityBin, kReliabilityBins> reliability;
   double calibration_error = 0.0;  ///< expected: mean over answers of their bin's |gap|
   std::size_t posed = 0;           ///< right and RECOGNIZED, with a usable covariance

@@ -7,14 +7,6 @@
 namespace place_memory::experiments {
 namespace {
 
-std::string withInterval(std::size_t successes, std::size_t trials, int digits) {
-  if (trials == 0) return {};
-  const Bounds bounds = wilsonInterval(successes, trials);
-  const double share = static_cast<double>(successes) / static_cast<double>(trials);
-  return fixed(share, digits) + " [" + fixed(bounds.low, digits) + ", " +
-         fixed(bounds.high, digits) + "]";
-}
-
 std::string share(std::size_t part, std::size_t whole) {
   return whole > 0 ? fixed(static_cast<double>(part) / static_cast<double>(whole), 3) : "";
 }
@@ -63,8 +55,9 @@ bool inPaper(const std::vector<const Experiment*>& experiments, const Method* me
 }
 
 const std::vector<std::string> kVerdictColumns = {
-    "trials",       "accuracy", "mean error [m]",   "within 1 ft", "recognized", "wrong",
-    "strangers in", "ECE",      "normalised error", "its bounds"};
+    "trials",    "accuracy",     "mean error [m]", "within 1 ft", "recognized",
+    "wrong",     "strangers in", "unlearned in",   "ECE",         "normalised error",
+    "its bounds"};
 
 std::vector<std::string> verdictCells(const Summary& summary) {
   std::vector<std::string> cells = {std::to_string(summary.known),
@@ -74,6 +67,7 @@ std::vector<std::string> verdictCells(const Summary& summary) {
                                     share(summary.recognized, summary.known),
                                     share(summary.wrong, summary.known),
                                     withInterval(summary.accepted, summary.strangers, 3),
+                                    withInterval(summary.unlearned_accepted, summary.unlearned, 3),
                                     fixed(summary.calibration_error, 3),
                                     fixed(summary.normalised_error, 2)};
   if (summary.posed > 0) {
@@ -138,21 +132,51 @@ Table methodTable(const std::vector<Outcome>& outcomes) {
 }
 
 Table summaryTable(const std::vector<Outcome>& outcomes) {
-  Table table({"experiment", "case", "x", "method", "trials", "right", "accuracy", "low", "high",
-               "paper", "position_error", "within_foot", "recognized", "wrong", "strangers",
-               "accepted", "calibration_error", "posed", "normalised_error"});
+  Table table({"experiment",
+               "case",
+               "x",
+               "method",
+               "trials",
+               "right",
+               "accuracy",
+               "low",
+               "high",
+               "paper",
+               "position_error",
+               "within_foot",
+               "recognized",
+               "wrong",
+               "strangers",
+               "accepted",
+               "unlearned",
+               "unlearned_accepted",
+               "calibration_error",
+               "posed",
+               "normalised_error"});
   for (const Outcome& outcome : outcomes) {
     const Summary summary = summarize(outcome.answers);
     const Bounds bounds = wilsonInterval(summary.right, summary.known);
     const auto paper = outcome.experiment->paper.find(outcome.method->name);
-    table.add({outcome.experiment->group, outcome.experiment->name, fixed(outcome.experiment->x, 6),
-               outcome.method->name, std::to_string(summary.known), std::to_string(summary.right),
-               fixed(summary.accuracy(), 4), fixed(bounds.low, 4), fixed(bounds.high, 4),
+    table.add({outcome.experiment->group,
+               outcome.experiment->name,
+               fixed(outcome.experiment->x, 6),
+               outcome.method->name,
+               std::to_string(summary.known),
+               std::to_string(summary.right),
+               fixed(summary.accuracy(), 4),
+               fixed(bounds.low, 4),
+               fixed(bounds.high, 4),
                paper == outcome.experiment->paper.end() ? "" : fixed(paper->second, 4),
-               fixed(summary.position_error, 4), fixed(summary.within_foot, 4),
-               std::to_string(summary.recognized), std::to_string(summary.wrong),
-               std::to_string(summary.strangers), std::to_string(summary.accepted),
-               fixed(summary.calibration_error, 4), std::to_string(summary.posed),
+               fixed(summary.position_error, 4),
+               fixed(summary.within_foot, 4),
+               std::to_string(summary.recognized),
+               std::to_string(summary.wrong),
+               std::to_string(summary.strangers),
+               std::to_string(summary.accepted),
+               std::to_string(summary.unlearned),
+               std::to_string(summary.unlearned_accepted),
+               fixed(summary.calibration_error, 4),
+               std::to_string(summary.posed),
                fixed(summary.normalised_error, 4)});
   }
   return table;

@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "experiments/statistics.h"
 #include "tools/csv.h"
 
 namespace place_memory::experiments {
@@ -41,6 +42,14 @@ std::string fixed(double value, int digits) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(digits) << value;
   return text.str();
+}
+
+std::string withInterval(std::size_t successes, std::size_t trials, int digits) {
+  if (trials == 0) return {};
+  const Bounds bounds = wilsonInterval(successes, trials);
+  const double share = static_cast<double>(successes) / static_cast<double>(trials);
+  return fixed(share, digits) + " [" + fixed(bounds.low, digits) + ", " +
+         fixed(bounds.high, digits) + "]";
 }
 
 }  // namespace place_memory::experiments

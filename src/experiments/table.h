@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_EXPERIMENTS_TABLE_H
 #define PLACE_MEMORY_EXPERIMENTS_TABLE_H
 
+#include <cstddef>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ class Table {
 
 /// With so many digits behind the point; empty for NaN.
 std::string fixed(double value, int digits);
+
+/// A share of the trials and its 95 % interval; empty for no trials.
+std::string withInterval(std::size_t successes, std::size_t trials, int digits);
 
 }  // namespace place_memory::experiments
 

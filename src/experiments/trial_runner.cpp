@@ -33,55 +33,87 @@ class Memory {
       : sonar_(method.parameters.sonar), recognizer_(method.parameters.match.recognizer) {
     geometry_.cell_size = set.cell_size;
     for (const trials::LearnedScan& scan : set.learned) {
-      labels_.push_back(scan.label);
-      const auto id = static_cast<core::PlaceId>(labels_.size());
+      places_.emplace_back(scan.label, scan.map_from_scan);
+      const auto id = static_cast<core::PlaceId>(places_.size());
       index_.put(id, scan.map_from_scan, sonar_.build(scan.readings, geometry_));
     }
   }
 
-  Answer answer(const trials::RecognitionTrial& trial) const {
-    core::Scan scan;
-    scan.readings = trial.readings;
-    scan.grid = sonar_.build(trial.readings, geometry_);
-    return judge(trial, recognizer_.recognize(scan, index_, trial.heading_window));
+  Answer answer(const trials::RecognitionTrial& trial) const { return answer(trial, index_); }
+
+  Answer answerStranger(const trials::RecognitionTrial& trial) const {
+    Answer answer = this->answer(trial);
+    answer.stranger = true;
+    return answer;
+  }
+
+  /// As if the places near the scan had never been learned.
+  Answer answerUnlearned(trials::RecognitionTrial trial) const {
+    core::PlaceIndex others = index_;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const auto& [label, pose] = places_[i];
+      const double distance =
+          std::hypot(pose.x - trial.map_from_scan.x, pose.y - trial.map_from_scan.y);
+      const bool is_right = std::count(trial.accept.begin(), trial.accept.end(), label) > 0;
+      if (is_right || distance < kNear) others.erase(static_cast<core::PlaceId>(i + 1));
+    }
+    trial.accept.clear();
+    return answer(trial, others);
   }
 
  private:
-  Answer judge(const trials::RecognitionTrial& trial, const core::Recognition& found) const {
-    Answer answer;
-    answer.known = !trial.accept.empty();
-    answer.expected = joined(trial.accept);
-    answer.verdict = found.verdict;
-    answer.position_error = answer.heading_error = answer.normalised_error = kNone;
-    if (found.matches.empty()) return answer;
-    const core::PlaceMatch& best = found.matches.front();
-    answer.given = labels_[static_cast<std::size_t>(best.id - 1)];
-    answer.probability = best.probability;
-    answer.right = std::count(trial.accept.begin(), trial.accept.end(), answer.given) > 0;
-    if (!answer.right) return answer;
-    const core::Pose2d& truth = trial.map_from_scan;
-    const Eigen::Vector3d error(found.map_from_robot.x - truth.x, found.map_from_robot.y - truth.y,
-                                core::wrapAngle(found.map_from_robot.yaw - truth.yaw));
-    answer.position_error = error.head<2>().norm();
-    answer.heading_error = std::abs(error.z());
-    answer.normalised_error = normalisedError(error, found.covariance);
-    return answer;
+  Answer answer(const trials::RecognitionTrial& trial, const core::PlaceIndex& index) const {
+    core::Scan scan;
+    scan.readings = trial.readings;
+    scan.grid = sonar_.build(trial.readings, geometry_);
+    const core::Recognition found = recognizer_.recognize(scan, index, trial.heading_window);
+    if (found.matches.empty()) return judge(trial, found, "");
+    const core::PlaceId best = found.matches.front().id;
+    return judge(trial, found, places_[static_cast<std::size_t>(best - 1)].first);
   }
 
   core::SonarModel sonar_;
   core::Recognizer recognizer_;
   core::GridGeometry geometry_;
   core::PlaceIndex index_;
-  std::vector<std::string> labels_;  ///< of place 1, 2, ...
+  std::vector<std::pair<std::string, core::Pose2d>> places_;  ///< of place 1, 2, ...
 };
 
 }  // namespace
+
+Answer judge(const trials::RecognitionTrial& trial, const core::Recognition& found,
+             const std::string& given) {
+  Answer answer;
+  answer.known = !trial.accept.empty();
+  answer.expected = joined(trial.accept);
+  answer.round = trial.round;
+  answer.verdict = found.verdict;
+  answer.distance = answer.position_error = answer.heading_error = answer.normalised_error = kNone;
+  if (found.matches.empty()) return answer;
+  answer.given = given;
+  answer.probability = found.matches.front().probability;
+  answer.right = std::count(trial.accept.begin(), trial.accept.end(), given) > 0;
+  const core::Pose2d& truth = trial.map_from_scan;
+  const Eigen::Vector3d error(found.map_from_robot.x - truth.x, found.map_from_robot.y - truth.y,
+                              core::wrapAngle(found.map_from_robot.yaw - truth.yaw));
+  answer.distance = error.head<2>().norm();
+  if (!answer.right) return answer;
+  answer.position_error = answer.distance;
+  answer.heading_error = std::abs(error.z());
+  answer.normalised_error = normalisedError(error, found.covariance);
+  return answer;
+}
 
 std::vector<Answer> runTrials(const Batch& batch, const Method& method) {
   const Memory memory(batch.known, method);
   std::vector<Answer> answers;
   for (const auto& trial : batch.known.trials) answers.push_back(memory.answer(trial));
-  for (const auto& trial : batch.strangers) answers.push_back(memory.answer(trial));
+  for (const auto& trial : batch.strangers) answers.push_back(memory.answerStranger(trial));
+  const std::size_t unlearned = std::min(batch.unlearned, batch.known.trials.size());
+  for (std::size_t i = 0; i < unlearned; ++i) {
+    answers.push_back(
+        memory.answerUnlearned(batch.known.trials[i * batch.known.trials.size() / unlearned]));
+  }
   return answers;
 }
 

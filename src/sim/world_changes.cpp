@@ -14,6 +14,7 @@ namespace {
 constexpr double kChairRadius = 0.32;
 constexpr double kChairDistance = 1.83;  // six feet, paper section 5 [m]
 constexpr double kHandlebar = 0.3;       // half the width of a bicycle [m]
+constexpr double kGap = 0.05;            // left beside furniture [m]
 constexpr int kAttempts = 40;
 
 bool coversPlace(const World& world, Vec2 point, double radius) {
@@ -48,6 +49,41 @@ std::vector<std::size_t> drawn(std::size_t count, std::size_t wanted, Rng& rng) 
   shuffle(order, rng);
   order.resize(wanted);
   return order;
+}
+
+// Furniture as the line from end to end that is as thick as its shorter side.
+template <typename T>
+bool fits(const T& item, const Scene& others, const World& world) {
+  const bool along_x = item.width >= item.depth;
+  const double half = 0.5 * std::abs(item.width - item.depth);
+  const double radius = 0.5 * std::min(item.width, item.depth);
+  const Vec2 along = unitVector(item.pose.yaw + (along_x ? 0.0 : 0.5 * core::kPi)) * half;
+  const Vec2 centre{item.pose.x, item.pose.y};
+  if (!others.isPathFree(centre - along, centre + along, radius + kGap)) return false;
+  return std::none_of(world.places.begin(), world.places.end(), [&](const Place& place) {
+    return distanceToSegment(place.position, centre - along, centre + along) <=
+           kPlaceClearance + radius * std::sqrt(2.0);
+  });
+}
+
+// Moves item `i` of a list of the world's.
+template <typename T>
+bool moveItem(World& world, std::vector<T> World::*list, std::size_t i, double distance, Rng& rng) {
+  World without = world;
+  (without.*list).erase((without.*list).begin() + static_cast<std::ptrdiff_t>(i));
+  const Scene others(without);
+  T& item = (world.*list)[i];
+  const Vec2 from{item.pose.x, item.pose.y};
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const Vec2 to = from + unitVector(uniform(rng, 0.0, 2.0 * core::kPi)) *
+                               (distance * std::sqrt(uniform(rng)));
+    T moved = item;
+    moved.pose = {to.x, to.y, uniform(rng, -core::kPi, core::kPi)};
+    if (!fits(moved, others, world) || !others.isPathFree(from, to, kGap)) continue;
+    item = moved;
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -108,6 +144,19 @@ int moveChairs(World& world, double fraction, double distance, Rng& rng) {
       ++moved;
       break;
     }
+  }
+  return moved;
+}
+
+int moveFurniture(World& world, double fraction, double distance, Rng& rng) {
+  const std::size_t count = world.boxes.size() + world.tables.size();
+  int moved = 0;
+  for (const std::size_t i : drawn(count, share(count, fraction), rng)) {
+    const bool is_box = i < world.boxes.size();
+    const bool has_moved =
+        is_box ? moveItem(world, &World::boxes, i, distance, rng)
+               : moveItem(world, &World::tables, i - world.boxes.size(), distance, rng);
+    if (has_moved) ++moved;
   }
   return moved;
 }

@@ -12,6 +12,7 @@
 
 #include "experiments/answer_table.h"
 #include "experiments/figures.h"
+#include "experiments/rearrangements.h"
 #include "experiments/runner.h"
 #include "experiments/summary_table.h"
 #include "tools/progress_bar.h"
@@ -28,6 +29,7 @@ struct Arguments {
   std::vector<std::string> params;
   std::string preset;
   std::vector<std::string> recorded;
+  std::size_t rearrangements = 0;
   bool figures = false;
   RunOptions run;
 };
@@ -81,6 +83,8 @@ std::optional<Arguments> readArguments(int argc, char** argv) {
       "default_single_climb,default_exhaustive,hill_climbing_laser,default_laser");
   add("recorded", po::value(&arguments.recorded)->composing(),
       "recorded scans, JSON lines, .gz or not: one more row each");
+  add("rearrangements", po::value(&arguments.rearrangements)->default_value(0),
+      "rearrange the office so many times over, with places that adapt and without");
   add("figures", po::bool_switch(&arguments.figures), "write the grids and maps of the figures");
   add("seeds", po::value(&run.seeds)->default_value(run.seeds), "simulated worlds of each row");
   add("first-seed", po::value(&run.first_seed)->default_value(run.first_seed),
@@ -105,6 +109,7 @@ std::optional<Arguments> readArguments(int argc, char** argv) {
   requireWithin("seeds", run.seeds, 1, 100000);
   requireWithin("slow-seeds", run.slow_seeds, 0, 100000);
   requireWithin("threads", run.threads, 1, 256);
+  requireWithin("rearrangements", arguments.rearrangements, 0, 1000);
   arguments.experiments = words(experiments, all_experiments);
   arguments.sweeps = words(sweeps, sweepNames());
   if (methods != "all") arguments.methods = words(methods, {});
@@ -199,6 +204,18 @@ void sweepAll(const Arguments& arguments, const ShippedWorlds& worlds,
   writeCsv(arguments, "sweeps", summaryTable(outcomes));
 }
 
+void rearrange(const Arguments& arguments, const ShippedWorlds& worlds,
+               const std::vector<Method>& all) {
+  const std::vector<Experiment> experiments = {
+      rearrangementsExperiment(worlds, static_cast<int>(arguments.rearrangements))};
+  const std::vector<Method> methods = rearrangementMethods(all);
+  const std::vector<Outcome> outcomes =
+      runWithBar("rearrangements", experiments, methods, arguments.run);
+  writeCsv(arguments, "rearrangements", roundTable(outcomes));
+  showAndWrite(arguments, "rearrangements", roundAccuracyTable(outcomes));
+  showAndWrite(arguments, "folds", foldTable(outcomes));
+}
+
 void drawAll(const Arguments& arguments, const ShippedWorlds& worlds,
              const std::vector<Method>& all) {
   const std::string folder = arguments.out + "/figures";
@@ -220,6 +237,7 @@ void process(const Arguments& arguments) {
   compare(arguments, worlds, methods);
   sweepAll(arguments, worlds,
            selectMethods(all, {"nearest_neighbour", "hill_climbing", "default"}));
+  if (arguments.rearrangements > 0) rearrange(arguments, worlds, all);
   if (arguments.figures) drawAll(arguments, worlds, all);
 }
 

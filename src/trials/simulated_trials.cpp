@@ -19,6 +19,9 @@ using sim::uniform;
 /// Places whose distances differ by less are equally near [m].
 constexpr double kEquallyNear = 0.15;
 
+/// So many purposes has chance in one round.
+constexpr std::uint64_t kPurposes = 3;
+
 /// The generator of one scan, so that no scan depends on how much chance another one used.
 Rng generatorOf(std::uint64_t seed, std::uint64_t purpose, std::uint64_t place) {
   std::seed_seq sequence{seed, seed >> 32U, purpose, place};
@@ -34,12 +37,25 @@ class Simulation {
         recipe_(recipe),
         seed_(seed),
         scene_(world),
-        changed_(changedWorld()),
-        changed_scene_(changed_) {
+        changed_(world),
+        changed_scene_(world) {
     for (const sim::Place& place : world_.places) {
       west_ = std::min(west_, place.position.x);
       east_ = std::max(east_, place.position.x);
     }
+  }
+
+  /// Changes the world as it is by now. What follows is of this round.
+  void change(int round) {
+    round_ = round;
+    Rng rng = generatorOf(seed_, 3 + kPurposes * static_cast<std::uint64_t>(round), 0);
+    changed_.bicycles = world_.bicycles;
+    sim::flipDoors(changed_, recipe_.doors_flipped, rng);
+    sim::moveChairs(changed_, recipe_.chairs_moved, recipe_.chair_distance, rng);
+    sim::addBicycles(changed_, recipe_.bicycles_added, rng);
+    sim::moveFurniture(changed_, recipe_.furniture_moved, recipe_.furniture_distance, rng);
+    if (recipe_.whiteboards_removed) changed_.whiteboards.clear();
+    changed_scene_ = sim::Scene(changed_);
   }
 
   LearnedScan learn(std::size_t index) {
@@ -53,7 +69,7 @@ class Simulation {
 
   RecognitionTrial recognize(std::size_t index) {
     const sim::Place& place = world_.places[index];
-    Rng rng = generatorOf(seed_, 2, index);
+    Rng rng = generatorOf(seed_, 2 + kPurposes * static_cast<std::uint64_t>(round_), index);
     sim::World world = changed_;
     if (recipe_.chairs_about_place > 0) {
       sim::addChairs(world, place.position, recipe_.chairs_about_place, rng);
@@ -66,6 +82,7 @@ class Simulation {
                              : uniform(rng, -recipe_.compass_error, recipe_.compass_error);
     RecognitionTrial trial;
     trial.accept = nearestPlaces(base);
+    trial.round = round_;
     trial.map_from_scan = scanFrame(base, error);
     trial.heading_window = recipe_.any_heading ? core::kPi : recipe_.heading_window;
     trial.readings = scan(recipe_.other_robot.value_or(robot_), world, own_scene, base, error, rng);
@@ -73,16 +90,6 @@ class Simulation {
   }
 
  private:
-  sim::World changedWorld() const {
-    Rng rng = generatorOf(seed_, 3, 0);
-    sim::World world = world_;
-    sim::flipDoors(world, recipe_.doors_flipped, rng);
-    sim::moveChairs(world, recipe_.chairs_moved, recipe_.chair_distance, rng);
-    sim::addBicycles(world, recipe_.bicycles_added, rng);
-    if (recipe_.whiteboards_removed) world.whiteboards.clear();
-    return world;
-  }
-
   /// Dead reckoning drifts as the robot goes: from -drift in the west to +drift in the east.
   double driftAt(double x) const {
     const double middle = 0.5 * (west_ + east_);
@@ -173,6 +180,7 @@ class Simulation {
   const sim::SimulatedRobot& robot_;
   const Recipe& recipe_;
   std::uint64_t seed_;
+  int round_ = 0;
   sim::Scene scene_;
   sim::World changed_;
   sim::Scene changed_scene_;
@@ -185,12 +193,20 @@ class Simulation {
 
 TrialSet simulateTrials(const sim::World& world, const sim::SimulatedRobot& robot,
                         const Recipe& recipe, std::uint64_t seed) {
+  return simulateRounds(world, robot, recipe, 1, seed);
+}
+
+TrialSet simulateRounds(const sim::World& world, const sim::SimulatedRobot& robot,
+                        const Recipe& recipe, int rounds, std::uint64_t seed) {
   Simulation simulation(world, robot, recipe, seed);
   TrialSet set;
   set.name = world.name;
   for (std::size_t i = 0; i < world.places.size(); ++i) set.learned.push_back(simulation.learn(i));
-  for (std::size_t i = 0; i < world.places.size(); ++i) {
-    set.trials.push_back(simulation.recognize(i));
+  for (int round = 0; round < rounds; ++round) {
+    simulation.change(round);
+    for (std::size_t i = 0; i < world.places.size(); ++i) {
+      set.trials.push_back(simulation.recognize(i));
+    }
   }
   return set;
 }
@@ -199,6 +215,7 @@ std::vector<RecognitionTrial> simulateStrangers(const sim::World& world,
                                                 const sim::SimulatedRobot& robot,
                                                 const Recipe& recipe, std::uint64_t seed) {
   Simulation simulation(world, robot, recipe, seed);
+  simulation.change(0);
   std::vector<RecognitionTrial> strangers;
   for (std::size_t i = 0; i < world.places.size(); ++i) {
     strangers.push_back(simulation.recognize(i));

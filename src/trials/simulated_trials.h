@@ -13,10 +13,12 @@ namespace place_memory::trials {
 
 /// What happens between learning a simulated world and coming back to it. Shares are in [0, 1].
 struct Recipe {
-  int chairs_about_place = 0;   ///< new chairs six feet from the robot (paper 5)
-  double doors_flipped = 0.0;   ///< share of the doors
-  double chairs_moved = 0.0;    ///< share of the chairs
-  double chair_distance = 1.5;  ///< how far those move at the most [m]
+  int chairs_about_place = 0;       ///< new chairs six feet from the robot (paper 5)
+  double doors_flipped = 0.0;       ///< share of the doors
+  double chairs_moved = 0.0;        ///< share of the chairs
+  double chair_distance = 1.5;      ///< how far those move at the most [m]
+  double furniture_moved = 0.0;     ///< share of the boxes and tables
+  double furniture_distance = 1.0;  ///< how far those move at the most [m]
   int bicycles_added = 0;
   bool whiteboards_removed = false;
   int people = 0;                  ///< who pass during each scan, learning too
@@ -38,6 +40,11 @@ struct Recipe {
 /// arguments give the same trials. Any of several places that are equally near is right (paper 9).
 TrialSet simulateTrials(const sim::World& world, const sim::SimulatedRobot& robot,
                         const Recipe& recipe, std::uint64_t seed);
+
+/// Learns every place of the world; then, `rounds` times, changes the world as the last round left
+/// it and scans each place again, round by round. Only bicycles go when others are parked.
+TrialSet simulateRounds(const sim::World& world, const sim::SimulatedRobot& robot,
+                        const Recipe& recipe, int rounds, std::uint64_t seed);
 
 /// Scans of the world's places for a memory that never learned them: nothing is right.
 std::vector<RecognitionTrial> simulateStrangers(const sim::World& world,

@@ -24,6 +24,7 @@ struct RecognitionTrial {
   core::Pose2d map_from_scan;       ///< true pose, likewise
   double heading_window = 0.0;      ///< how far the compass may be off, in [0, pi] [rad]
   std::vector<core::SonarReading> readings;
+  int round = 0;  ///< of several times that the robot comes back, from 0 on
 };
 
 /// One memory and the scans that are put to it.

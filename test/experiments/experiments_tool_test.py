@@ -33,6 +33,7 @@ class TinyRun(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.out = os.path.join(cls.folder.name, "out")
         cls.answer = run(TOOL, "--out", cls.out, "--sweeps", "chairs", "--figures",
+                         "--rearrangements", "2",
                          "--worlds", WORLDS, *TINY)
 
     @classmethod
@@ -65,6 +66,17 @@ class TinyRun(unittest.TestCase):
         self.assertEqual(len(right), int(summary[0]["right"]))
         self.assertGreater(len(right), 10)
 
+    def test_counts_what_adapting_places_took_in(self):
+        rows = {(row["method"], row["round"]): row for row in self.rows("rearrangements.csv")}
+        self.assertEqual(len(rows), 3 * 3)
+        frozen, adapting = rows["default", "all"], rows["default_adapting", "all"]
+        self.assertEqual(frozen["folded"], "0")
+        self.assertEqual(int(adapting["folded"]),
+                         sum(int(adapting[count]) for count in
+                             ("recognized", "wrong", "unlearned_accepted")))
+        self.assertEqual(rows["default", "1"]["trials"], rows["default_adapting", "1"]["trials"])
+        self.assertIn("more than 1 ft astray", self.answer.stdout)
+
     def test_draws(self):
         plots = os.path.join(self.folder.name, "plots")
         answer = run(*script("plot_experiments.py"), self.out, plots)
@@ -72,7 +84,7 @@ class TinyRun(unittest.TestCase):
         drawn = set(os.listdir(plots))
         self.assertLessEqual({"experiments.png", "reliability.png", "figure_1.png", "figure_2.png",
                               "figure_3.png", "figure_4.png", "figure_5.png", "figure_6.png",
-                              "figure_7.png"}, drawn)
+                              "figure_7.png", "rearrangements.png"}, drawn)
 
     def test_tables_go_between_the_marks_of_a_document(self):
         document = os.path.join(self.folder.name, "document.md")
@@ -119,6 +131,9 @@ class WrongArguments(unittest.TestCase):
 
     def test_too_many_threads(self):
         self.refused("threads", "--threads", "100000")
+
+    def test_too_many_rearrangements(self):
+        self.refused("rearrangements", "--rearrangements", "-1")
 
     def test_no_such_worlds(self):
         self.refused("nowhere", "--experiments", "none", worlds="/nowhere")

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -90,12 +91,48 @@ Batch oneRoom() {
 
 TEST(TrialRunner, AnswersKnownPlacesFirstAndThenStrangers) {
   const auto answers = runTrials(oneRoom(), methods({"default"}).at(0));
-  ASSERT_EQ(answers.size(), 8U);
+  ASSERT_EQ(answers.size(), 11U);
   for (std::size_t i = 0; i < answers.size(); ++i) {
     EXPECT_EQ(answers[i].known, i < 5);
+    EXPECT_EQ(answers[i].stranger, i >= 5 && i < 8);
     EXPECT_EQ(answers[i].right, i < 5 && answers[i].given == answers[i].expected);
     EXPECT_EQ(std::isnan(answers[i].position_error), !answers[i].right);
   }
+}
+
+TEST(TrialRunner, WhatCountsAsNeverLearnedIsNotAnsweredWithPlacesThatAreNear) {
+  Batch batch = simulateBatch(worlds().hallway, {}, trials::Recipe{}, Sensor::kSonar, 1, 0);
+  batch.unlearned = batch.known.trials.size();
+  const auto answers = runTrials(batch, methods({"nearest_neighbour"}).at(0));
+  ASSERT_EQ(answers.size(), 2 * batch.unlearned);
+  for (std::size_t i = 0; i < batch.unlearned; ++i) {
+    const Answer& answer = answers[batch.unlearned + i];
+    const auto given = std::find_if(batch.known.learned.begin(), batch.known.learned.end(),
+                                    [&](const auto& scan) { return scan.label == answer.given; });
+    ASSERT_NE(given, batch.known.learned.end());
+    const core::Pose2d& truth = batch.known.trials[i].map_from_scan;
+    EXPECT_GE(std::hypot(given->map_from_scan.x - truth.x, given->map_from_scan.y - truth.y),
+              kNear);
+    EXPECT_FALSE(answer.known || answer.right || answer.stranger);
+  }
+}
+
+TEST(Judge, NormalisesTheErrorOfThePoseByItsCovariance) {
+  trials::RecognitionTrial trial;
+  trial.accept = {"a"};
+  trial.map_from_scan = {1.0, 2.0, core::kPi - 0.1};
+  core::Recognition found;
+  found.matches = {{1, 10.0, {}, 0.9}};
+  found.map_from_robot = {1.2, 1.9, -core::kPi + 0.1};
+  // Errors of 0.2 m, -0.1 m and 0.2 rad, the first two correlated.
+  found.covariance = {0.04, 0.01, 0.0, 0.01, 0.02, 0.0, 0.0, 0.0, 0.01};
+  const Answer answer = judge(trial, found, "a");
+  EXPECT_NEAR(answer.position_error, std::hypot(0.2, 0.1), 1e-9);
+  EXPECT_NEAR(answer.heading_error, 0.2, 1e-9);
+  const double position = (0.02 * 0.04 + 0.04 * 0.01 + 2.0 * 0.01 * 0.02) / (0.04 * 0.02 - 0.0001);
+  EXPECT_NEAR(answer.normalised_error, position + 4.0, 1e-9);
+  EXPECT_TRUE(std::isnan(judge(trial, found, "b").normalised_error));
+  EXPECT_NEAR(judge(trial, found, "b").distance, std::hypot(0.2, 0.1), 1e-9);
 }
 
 TEST(TrialRunner, NearestNeighbourIsOffByTheShiftAndTheCompass) {

@@ -23,6 +23,7 @@ Answer known(bool right, core::Verdict verdict, double probability) {
 Answer stranger(core::Verdict verdict, double probability) {
   Answer answer = known(false, verdict, probability);
   answer.known = false;
+  answer.stranger = true;
   return answer;
 }
 
@@ -58,6 +59,19 @@ TEST(Summary, CountsVerdictsOfKnownPlacesAndOfStrangers) {
   EXPECT_EQ(summary.accepted, 1U);
   EXPECT_EQ(summary.posed, 1U) << "poses count where a robot would use them";
   EXPECT_DOUBLE_EQ(summary.normalised_error, 3.0);
+}
+
+TEST(Summary, PlacesNeverLearnedAreCountedApartFromOtherBuildings) {
+  Answer unlearned = stranger(core::Verdict::kRecognized, 0.95);
+  unlearned.stranger = false;
+  const Summary summary =
+      summarize({unlearned, unlearned, stranger(core::Verdict::kUnknown, 0.05)});
+  EXPECT_EQ(summary.unlearned, 2U);
+  EXPECT_EQ(summary.unlearned_accepted, 2U);
+  EXPECT_EQ(summary.strangers, 1U);
+  EXPECT_EQ(summary.accepted, 0U);
+  EXPECT_EQ(summary.reliability[9].answers, 2U);
+  EXPECT_EQ(summary.reliability[9].right, 0U);
 }
 
 TEST(Summary, CalibrationErrorIsTheMeanGapOfTheTenths) {

@@ -93,10 +93,32 @@ TEST(WorldChanges, RearrangingLeavesRoomAtEveryPlace) {
     Rng rng(seed);
     World world = shipped("office");
     EXPECT_GT(moveChairs(world, 0.8, 2.0, rng), 10);
+    EXPECT_GT(moveFurniture(world, 0.5, 1.0, rng), 10);
     EXPECT_GE(addBicycles(world, 3, rng), 2);
     flipDoors(world, 1.0, rng);
     EXPECT_NO_THROW(validateWorld(world, kPlaceClearance)) << "seed " << seed;
   }
+}
+
+TEST(WorldChanges, FurnitureMovesByItsShareAndNoFurtherThanAsked) {
+  Rng rng(3);
+  const World before = shipped("office");
+  World world = before;
+  EXPECT_EQ(moveFurniture(world, 0.0, 1.0, rng), 0);
+  const int moved = moveFurniture(world, 0.3, 1.0, rng);
+  int different = 0;
+  const auto compare = [&](const core::Pose2d& a, const core::Pose2d& b) {
+    EXPECT_LE(std::hypot(a.x - b.x, a.y - b.y), 1.0);
+    different += a.x != b.x ? 1 : 0;
+  };
+  for (std::size_t i = 0; i < world.boxes.size(); ++i) {
+    compare(world.boxes[i].pose, before.boxes[i].pose);
+  }
+  for (std::size_t i = 0; i < world.tables.size(); ++i) {
+    compare(world.tables[i].pose, before.tables[i].pose);
+  }
+  EXPECT_EQ(different, moved);
+  EXPECT_GT(moved, 10);
 }
 
 TEST(WorldChanges, NamesThatAreNotThereAreRefused) {

@@ -130,6 +130,42 @@ TEST(SimulatedTrials, ALaserTakesThePlaceOfTheSonars) {
   }
 }
 
+TEST(SimulatedRounds, TheFirstIsTheOnlyOneOfOtherTrials) {
+  const TrialSet once = roomTrials(everythingChanges(), 5);
+  const TrialSet rounds =
+      simulateRounds(world("rooms"), sim::SimulatedRobot{}, everythingChanges(), 3, 5);
+  ASSERT_EQ(rounds.trials.size(), 15U);
+  for (std::size_t i = 0; i < 15; ++i) {
+    EXPECT_EQ(rounds.trials[i].round, static_cast<int>(i / 5));
+    EXPECT_EQ(same(rounds.trials[i].readings, once.trials[i % 5].readings), i < 5);
+  }
+}
+
+/// Share of the readings of a round that are not as they were when the place was learned.
+double changedShare(const TrialSet& set, int round) {
+  int all = 0;
+  int changed = 0;
+  for (std::size_t i = 0; i < set.trials.size(); ++i) {
+    if (set.trials[i].round != round) continue;
+    const auto& before = set.learned[i % set.learned.size()].readings;
+    const auto& after = set.trials[i].readings;
+    for (std::size_t j = 0; j < std::min(before.size(), after.size()); ++j) {
+      ++all;
+      const bool same_kind = std::isfinite(before[j].range) == std::isfinite(after[j].range);
+      if (!same_kind || std::abs(before[j].range - after[j].range) > 0.3) ++changed;
+    }
+  }
+  return static_cast<double>(changed) / all;
+}
+
+TEST(SimulatedRounds, ChangesAddUp) {
+  Recipe recipe;
+  recipe.furniture_moved = 0.2;
+  recipe.chairs_moved = 0.2;
+  const TrialSet set = simulateRounds(world("office"), sim::SimulatedRobot{}, recipe, 6, 1);
+  EXPECT_GT(changedShare(set, 5), 1.5 * changedShare(set, 0));
+}
+
 TEST(SimulatedTrials, NothingIsRightForAStranger) {
   const auto strangers =
       simulateStrangers(world("rooms"), sim::SimulatedRobot{}, everythingChanges(), 1);

@@ -22,6 +22,10 @@ int flipDoors(World& world, double fraction, Rng& rng);
 /// many moved.
 int moveChairs(World& world, double fraction, double distance, Rng& rng);
 
+/// Moves a share of the boxes and tables, [0, 1], by up to `distance` [m] each and turns them.
+/// Returns how many moved.
+int moveFurniture(World& world, double fraction, double distance, Rng& rng);
+
 /// Parks `count` bicycles in free space within two metres of places. Returns how many.
 int addBicycles(World& world, int count, Rng& rng);
 
