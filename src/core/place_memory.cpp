@@ -33,14 +33,14 @@ PlaceMemory::PlaceMemory(const PlaceMemoryOptions& options)
       recognizer_(options.recognizer),
       adaptation_(options.adaptation),
       sonar_(options.sonar),
-      store_(options.store_path, options.cell_size),
+      store_(options.store_path, options.cell_size, options.opening),
       graph_(store_.graph()) {
   // Written so that NaN fails.
   if (!(adaptation_.retention >= 0.0 && adaptation_.retention < 1.0)) {
     throw std::invalid_argument("adaptation retention must lie in [0, 1)");
   }
-  store_.forEachGrid([this](PlaceId id, const EvidenceGrid& grid) {
-    index_.put(id, graph_.find(id)->map_from_place, grid);
+  store_.forEachPlanes([this](PlaceId id, const CellPlanes& planes) {
+    index_.put(id, graph_.find(id)->map_from_place, planes);
   });
 }
 

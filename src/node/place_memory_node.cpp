@@ -49,6 +49,7 @@ void PlaceMemoryNode::stop() { scan_server_.stop(); }
 std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
   core::PlaceMemoryOptions options;
   options.store_path = parameters_.store;
+  options.opening.progress = [](const std::string& sentence) { ROS_INFO("%s", sentence.c_str()); };
   options.cell_size = parameters_.grid.cell_size;
   options.recognizer = parameters_.match.recognizer;
   options.adaptation = parameters_.places;

@@ -42,6 +42,7 @@ class PlaceMemoryError : public std::runtime_error {
 
 struct PlaceMemoryOptions {
   std::string store_path;               ///< file of the places; "": in memory only
+  StoreOpening opening;                 ///< of that file
   double cell_size = kDefaultCellSize;  ///< of all grids [m], > 0
   RecognizerOptions recognizer;
   AdaptationOptions adaptation;
