@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kTrials = 24;
 constexpr std::size_t kStrangers = 12;
+constexpr std::size_t kRecordedUnlearned = 200;
 
 }  // namespace
 
@@ -35,7 +36,7 @@ Experiment recordedExperiment(const std::string& path) {
   experiment.has_laser = false;
   experiment.has_seeds = false;
   experiment.make = [recorded](std::uint64_t /*seed*/, Sensor /*sensor*/) {
-    return Batch{recorded, {}};
+    return Batch{recorded, {}, kRecordedUnlearned};
   };
   return experiment;
 }

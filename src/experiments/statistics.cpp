@@ -76,6 +76,8 @@ Summary summarize(const std::vector<Answer>& answers) {
   Mean normalised;
   for (const Answer& answer : answers) {
     count(answer, summary);
+    // Known scans once more: they would outweigh the others.
+    if (!answer.known && !answer.stranger) continue;
     const auto bin = std::min(static_cast<std::size_t>(answer.probability * kReliabilityBins),
                               kReliabilityBins - 1);
     ++summary.reliability[bin].answers;

@@ -41,7 +41,7 @@ struct Summary {
   std::size_t accepted = 0;     ///< strangers RECOGNIZED
   std::size_t unlearned = 0;    ///< scans of this building, far from every place in the memory
   std::size_t unlearned_accepted = 0;  ///< of them RECOGNIZED
-  /// Of the best match being right, over all of them; what was never learned is never right.
+  /// Of the best match being right, over known and strangers; strangers are never right.
   std::array<ReliabilityBin, kReliabilityBins> reliability;
   double calibration_error = 0.0;  ///< expected: mean over answers of their bin's |gap|
   std::size_t posed = 0;           ///< right and RECOGNIZED, with a usable covariance

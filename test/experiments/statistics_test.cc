@@ -70,8 +70,8 @@ TEST(Summary, PlacesNeverLearnedAreCountedApartFromOtherBuildings) {
   EXPECT_EQ(summary.unlearned_accepted, 2U);
   EXPECT_EQ(summary.strangers, 1U);
   EXPECT_EQ(summary.accepted, 0U);
-  EXPECT_EQ(summary.reliability[9].answers, 2U);
-  EXPECT_EQ(summary.reliability[9].right, 0U);
+  EXPECT_EQ(summary.reliability[9].answers, 0U);
+  EXPECT_EQ(summary.reliability[0].answers, 1U);
 }
 
 TEST(Summary, CalibrationErrorIsTheMeanGapOfTheTenths) {
