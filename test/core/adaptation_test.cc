@@ -135,14 +135,19 @@ TEST_F(AdaptationTest, AScanIsEvidenceOnce) {
 
 TEST_F(AdaptationTest, AdaptedPlacesSurviveARestart) {
   EvidenceGrid adapted;
+  double score = 0.0;
+  const Scan changed = look(after_);
   {
     PlaceMemory memory(options());
     const PlaceId id = memory.learn(look(before_), "a").id;
     memory.adapt(look(after_), recognizedAs(id));
     adapted = memory.grid(id);
     EXPECT_FALSE(adapted == before_.scanFrom({}).grid);
+    score = memory.recognize(changed, kHeadingWindow).recognition.matches[0].score;
   }
-  EXPECT_EQ(PlaceMemory(options()).grid(1), adapted);
+  PlaceMemory memory(options());
+  EXPECT_EQ(memory.grid(1), adapted);
+  EXPECT_EQ(memory.recognize(changed, kHeadingWindow).recognition.matches[0].score, score);
 }
 
 TEST_F(AdaptationTest, APlaceThatIsGoneIsNotBroughtBack) {
