@@ -22,23 +22,25 @@ std::int64_t popcount(std::uint64_t word) { return __builtin_popcountll(word); }
          factors.empty_occupied * eo + factors.empty_empty * ee;
 }
 
-[[gnu::always_inline]] inline void scoreBlock(const KernelInput& input, BlockScores* scores) {
+[[gnu::always_inline]] inline BlockBest scoreBlock(const KernelInput& input, BlockScores* scores) {
   for (std::size_t t = 0; t < input.transforms; ++t) {
     for (std::size_t place = 0; place < kBlockPlaces; ++place) {
-      scores[t][place] = scorePlace(input, input.query + t * input.rows, place);
+      scores[t][place] = input.offsets[t] + scorePlace(input, input.query + t * input.rows, place);
     }
   }
+  return bestOf(scores, input.transforms);
 }
 
-void scoreBlockPortable(const KernelInput& input, BlockScores* scores) {
-  scoreBlock(input, scores);
+BlockBest scoreBlockPortable(const KernelInput& input, BlockScores* scores) {
+  return scoreBlock(input, scores);
 }
 
 }  // namespace
 
 #if defined(__x86_64__)
-[[gnu::target("popcnt")]] void scoreBlockPopcnt(const KernelInput& input, BlockScores* scores) {
-  scoreBlock(input, scores);
+[[gnu::target("popcnt")]] BlockBest scoreBlockPopcnt(const KernelInput& input,
+                                                     BlockScores* scores) {
+  return scoreBlock(input, scores);
 }
 #endif
 

@@ -33,10 +33,18 @@ struct KernelInput {
   std::size_t rows;        ///< a multiple of 4, at most kGridSize
   std::size_t transforms;
   PairFactors factors;
+  const std::int64_t* offsets;  ///< of each transform, in the same fixed point
 };
 
-/// Sets scores[t] to the points of all pairs of transform t with each place.
-using BlockKernel = void (*)(const KernelInput& input, BlockScores* scores);
+/// The best of all transforms for each place of a block; of equal ones the first.
+struct BlockBest {
+  BlockScores score;
+  std::array<std::int64_t, kBlockPlaces> transform;
+};
+
+/// Sets scores[t] to the points of all pairs of transform t with each place, and its offset. At
+/// least one transform.
+using BlockKernel = BlockBest (*)(const KernelInput& input, BlockScores* scores);
 
 struct NamedKernel {
   const char* instructions;
@@ -51,12 +59,25 @@ std::vector<NamedKernel> blockKernels();
 /// The last of blockKernels() that runs here.
 BlockKernel fastestBlockKernel();
 
+/// The best of what a kernel set, for kernels that do not find it on their way.
+[[gnu::always_inline]] inline BlockBest bestOf(const BlockScores* scores, std::size_t transforms) {
+  BlockBest best{scores[0], {}};
+  for (std::size_t t = 1; t < transforms; ++t) {
+    for (std::size_t place = 0; place < kBlockPlaces; ++place) {
+      const bool better = scores[t][place] > best.score[place];
+      best.score[place] = better ? scores[t][place] : best.score[place];
+      best.transform[place] = better ? static_cast<std::int64_t>(t) : best.transform[place];
+    }
+  }
+  return best;
+}
+
 #if defined(__x86_64__)
-void scoreBlockPopcnt(const KernelInput& input, BlockScores* scores);
-void scoreBlockAvx2(const KernelInput& input, BlockScores* scores);
-void scoreBlockAvx512(const KernelInput& input, BlockScores* scores);
+BlockBest scoreBlockPopcnt(const KernelInput& input, BlockScores* scores);
+BlockBest scoreBlockAvx2(const KernelInput& input, BlockScores* scores);
+BlockBest scoreBlockAvx512(const KernelInput& input, BlockScores* scores);
 #elif defined(__aarch64__)
-void scoreBlockNeon(const KernelInput& input, BlockScores* scores);
+BlockBest scoreBlockNeon(const KernelInput& input, BlockScores* scores);
 #endif
 
 }  // namespace place_memory::core

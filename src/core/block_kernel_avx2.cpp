@@ -87,7 +87,7 @@ struct PlanePoints {
 
 }  // namespace
 
-[[PLACE_MEMORY_AVX2]] void scoreBlockAvx2(const KernelInput& input, BlockScores* scores) {
+[[PLACE_MEMORY_AVX2]] BlockBest scoreBlockAvx2(const KernelInput& input, BlockScores* scores) {
   const PairFactors& factors = input.factors;
   const PlanePoints occupied{&QueryRow::occupied, factors.occupied_occupied,
                              factors.occupied_empty};
@@ -95,11 +95,14 @@ struct PlanePoints {
   for (std::size_t t = 0; t < input.transforms; ++t) {
     const QueryRow* query = input.query + t * input.rows;
     for (std::size_t lane = 0; lane < kBlockPlaces; lane += kLanes) {
-      const __m256i sum = _mm256_add_epi64(scorePlane(input, query, lane, occupied),
-                                           scorePlane(input, query, lane, empty));
+      const __m256i sum =
+          _mm256_add_epi64(_mm256_set1_epi64x(input.offsets[t]),
+                           _mm256_add_epi64(scorePlane(input, query, lane, occupied),
+                                            scorePlane(input, query, lane, empty)));
       _mm256_storeu_si256(reinterpret_cast<__m256i*>(scores[t].data() + lane), sum);
     }
   }
+  return bestOf(scores, input.transforms);
 }
 
 }  // namespace place_memory::core

@@ -52,12 +52,15 @@ int64x2_t scorePlaces(const KernelInput& input, const QueryRow* query, std::size
 
 }  // namespace
 
-void scoreBlockNeon(const KernelInput& input, BlockScores* scores) {
+BlockBest scoreBlockNeon(const KernelInput& input, BlockScores* scores) {
   for (std::size_t t = 0; t < input.transforms; ++t) {
     for (std::size_t lane = 0; lane < kBlockPlaces; lane += kLanes) {
-      vst1q_s64(scores[t].data() + lane, scorePlaces(input, input.query + t * input.rows, lane));
+      vst1q_s64(scores[t].data() + lane,
+                vaddq_s64(vdupq_n_s64(input.offsets[t]),
+                          scorePlaces(input, input.query + t * input.rows, lane)));
     }
   }
+  return bestOf(scores, input.transforms);
 }
 
 }  // namespace place_memory::core

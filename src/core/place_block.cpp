@@ -2,7 +2,18 @@
 
 #include <algorithm>
 
+#include "coarse_planes.h"
+
 namespace place_memory::core {
+namespace {
+
+std::uint16_t countCells(const BitPlane& plane) {
+  int cells = 0;
+  for (const std::uint64_t row : plane) cells += __builtin_popcountll(row);
+  return static_cast<std::uint16_t>(cells);
+}
+
+}  // namespace
 
 std::size_t PlaceBlock::slotOf(PlaceId id) const {
   const auto* place = std::lower_bound(
@@ -17,7 +28,14 @@ bool PlaceBlock::holds(PlaceId id) const {
 
 void PlaceBlock::replace(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells) {
   entries_[slot] = entry;
+  totals_[slot] = {countCells(cells.occupied), countCells(cells.empty)};
   planes_.set(slot, cells);
+  std::array<QueryRow, kCoarsestRows> coarsest;
+  coarsenMost(cells, coarsest.data());
+  for (std::size_t row = 0; row < kCoarsestRows; ++row) {
+    coarsest_[row].occupied[slot] = coarsest[row].occupied;
+    coarsest_[row].empty[slot] = coarsest[row].empty;
+  }
 }
 
 void PlaceBlock::insert(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells) {

@@ -3,25 +3,55 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "restart_search.h"
+
 namespace place_memory::core {
+namespace {
+
+/// So few places are not worth waking other threads for.
+constexpr std::size_t kFew = 32;
+
+std::vector<PlaceAlignment> alignEach(const QueryPlanes& query, const PlaceIndex& places,
+                                      const LatticeMetric& metric, const SearchWindow& window,
+                                      SearchMethod method, const std::function<void()>& poll,
+                                      WorkerPool& pool) {
+  const auto& blocks = places.blocks();
+  std::vector<std::vector<PlaceAlignment>> found(blocks.size());
+  pool.run(
+      blocks.size(),
+      [&](std::size_t i) {
+        const PlaceBlock& block = *blocks[i];
+        for (std::size_t slot = 0; slot < block.size(); ++slot) {
+          const CellPlanes cells = block.planes().get(slot);
+          found[i].push_back({&block[slot], findAlignment(query, cells, metric, window, method)});
+        }
+      },
+      poll);
+  std::vector<PlaceAlignment> all;
+  all.reserve(places.size());
+  for (const auto& of_block : found) all.insert(all.end(), of_block.begin(), of_block.end());
+  std::stable_sort(all.begin(), all.end(), [](const PlaceAlignment& a, const PlaceAlignment& b) {
+    return a.alignment.score > b.alignment.score;
+  });
+  if (all.size() > kMostRanked) all.resize(kMostRanked);
+  return all;
+}
+
+}  // namespace
 
 std::vector<PlaceAlignment> searchPlaces(const QueryPlanes& query, const PlaceIndex& places,
                                          const LatticeMetric& metric, const SearchWindow& window,
                                          SearchMethod method,
-                                         const std::function<bool()>& cancelled) {
-  std::vector<PlaceAlignment> all;
-  all.reserve(places.size());
-  for (const auto& block : places.blocks()) {
+                                         const std::function<bool()>& cancelled, WorkerPool& pool) {
+  const auto poll = [&cancelled] {
     if (cancelled && cancelled()) throw std::runtime_error("recognition was cancelled");
-    for (std::size_t slot = 0; slot < block->size(); ++slot) {
-      const CellPlanes cells = block->planes().get(slot);
-      all.push_back({&(*block)[slot], findAlignment(query, cells, metric, window, method)});
-    }
+  };
+  if (method == SearchMethod::kRestarts) {
+    return RestartSearch(query, places, metric, window, poll, pool).run();
   }
-  std::stable_sort(all.begin(), all.end(), [](const PlaceAlignment& a, const PlaceAlignment& b) {
-    return a.alignment.score > b.alignment.score;
-  });
-  return all;
+  WorkerPool alone(1);
+  const bool shares = places.size() > kFew;
+  return alignEach(query, places, metric, window, method, poll, shares ? pool : alone);
 }
 
 }  // namespace place_memory::core

@@ -1,11 +1,13 @@
 #ifndef PLACE_MEMORY_CORE_PLACE_SEARCH_H
 #define PLACE_MEMORY_CORE_PLACE_SEARCH_H
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
 #include "place_memory/core/alignment_search.h"
 #include "place_memory/core/place_index.h"
+#include "worker_pool.h"
 
 namespace place_memory::core {
 
@@ -15,13 +17,22 @@ struct PlaceAlignment {
   Alignment alignment;
 };
 
-/// Aligns the recognition grid with every place, and returns them by falling score; places that
-/// score the same, by rising id. `cancelled`, where given, is polled between blocks of places; once
+/// Of more places than these, searchPlaces() returns the best ones.
+constexpr std::size_t kMostRanked = 1024;
+/// So many of the best places have been climbed for from all starts.
+constexpr std::size_t kSurelyClimbed = 32;
+
+/// Aligns the recognition grid with the places, and returns them by falling score; places that
+/// score the same, by rising id. All methods but restarts align every place fully. Restarts look at
+/// all places over coarse cells first, more closely at the better ones, and climb for the best;
+/// what the others score is that of the best start that was seen. The answer does not depend on the
+/// pool. `cancelled`, where given, is polled by the caller's thread between blocks of places; once
 /// it returns true the call throws std::runtime_error.
 std::vector<PlaceAlignment> searchPlaces(const QueryPlanes& query, const PlaceIndex& places,
                                          const LatticeMetric& metric, const SearchWindow& window,
                                          SearchMethod method,
-                                         const std::function<bool()>& cancelled);
+                                         const std::function<bool()>& cancelled,
+                                         WorkerPool& pool = WorkerPool::shared());
 
 }  // namespace place_memory::core
 

@@ -8,11 +8,7 @@
 namespace place_memory::core {
 namespace {
 
-int countCells(const BitPlane& plane) {
-  int cells = 0;
-  for (const std::uint64_t row : plane) cells += __builtin_popcountll(row);
-  return cells;
-}
+int asInt(std::uint64_t cells) { return static_cast<int>(cells); }
 
 }  // namespace
 
@@ -39,18 +35,30 @@ CellPlanes turned(const CellPlanes& grid, double angle) {
 }
 
 PairCounts countPairs(const CellPlanes& recognition, CellShift shift, const CellPlanes& learned) {
+  return PairCounter(learned).count(recognition, shift);
+}
+
+PairCounter::PairCounter(const CellPlanes& learned) : learned_(learned) {
+  const std::uint64_t* o = learned.occupied.data();
+  const std::uint64_t* e = learned.empty.data();
+  const PlaneCounts n = countPlanes({o, e, o, e, kGridSize, 0});
+  occupied_ = asInt(n.occupied);
+  empty_ = asInt(n.empty);
+}
+
+PairCounts PairCounter::count(const CellPlanes& recognition, CellShift shift) const {
   const int first = std::max(0, shift.rows);
   const int last = std::min(kGridSize, kGridSize + shift.rows);
   const int from = first - shift.rows;
-  const PlaneCounts n = countPlanes(
-      {recognition.occupied.data() + from, recognition.empty.data() + from,
-       learned.occupied.data() + first, learned.empty.data() + first, last - first, shift.columns});
-  const auto count = [](std::uint64_t cells) { return static_cast<int>(cells); };
-  const int oo = count(n.occupied_occupied), oe = count(n.occupied_empty);
-  const int eo = count(n.empty_occupied), ee = count(n.empty_empty);
-  const int ou = count(n.occupied) - oo - oe, eu = count(n.empty) - eo - ee;
-  const int uo = countCells(learned.occupied) - oo - eo, ue = countCells(learned.empty) - oe - ee;
-  const int uu = kGridSize * kGridSize - oo - oe - ou - eo - ee - eu - uo - ue;
+  const PlaneCounts n =
+      countPlanes({recognition.occupied.data() + from, recognition.empty.data() + from,
+                   learned_.occupied.data() + first, learned_.empty.data() + first, last - first,
+                   shift.columns});
+  const int oo = asInt(n.occupied_occupied), oe = asInt(n.occupied_empty);
+  const int eo = asInt(n.empty_occupied), ee = asInt(n.empty_empty);
+  const int ou = asInt(n.occupied) - oo - oe, eu = asInt(n.empty) - eo - ee;
+  const int uo = occupied_ - oo - eo, ue = empty_ - oe - ee;
+  const int uu = kGridCells - oo - oe - ou - eo - ee - eu - uo - ue;
   return {{{ee, eu, eo}, {ue, uu, uo}, {oe, ou, oo}}};
 }
 

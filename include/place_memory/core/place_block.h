@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "place_memory/core/place.h"
 #include "place_memory/core/plane_block.h"
@@ -16,6 +17,12 @@ struct PlaceEntry {
   Pose2d map_from_place;
 };
 
+/// How many cells a grid has of each class; the others are unsensed.
+struct CellTotals {
+  std::uint16_t occupied = 0;
+  std::uint16_t empty = 0;
+};
+
 /// Up to eight places by rising id, their cells as the matching kernels read them.
 class PlaceBlock {
  public:
@@ -26,8 +33,12 @@ class PlaceBlock {
   const PlaceEntry& operator[](std::size_t slot) const { return entries_[slot]; }
   const PlaceEntry* begin() const { return entries_.data(); }
   const PlaceEntry* end() const { return entries_.data() + size_; }
+  const CellTotals& totals(std::size_t slot) const { return totals_[slot]; }
+
   /// Slots from size() on are unsensed.
   const PlaneBlock& planes() const { return planes_; }
+  /// The same planes in 16 x 16 cells, for a first look.
+  const CoarsestBlock& coarsest() const { return coarsest_; }
 
   /// First slot whose id is not below `id`; size() where there is none.
   std::size_t slotOf(PlaceId id) const;
@@ -41,7 +52,9 @@ class PlaceBlock {
 
  private:
   PlaneBlock planes_;
+  CoarsestBlock coarsest_{};
   std::array<PlaceEntry, kCapacity> entries_{};
+  std::array<CellTotals, kCapacity> totals_{};
   std::size_t size_ = 0;
 };
 

@@ -1,0 +1,46 @@
+#ifndef PLACE_MEMORY_CORE_FIXED_METRIC_H
+#define PLACE_MEMORY_CORE_FIXED_METRIC_H
+
+#include <cstdint>
+
+#include "block_kernel.h"
+#include "place_memory/core/lattice.h"
+#include "place_memory/core/place_block.h"
+#include "place_memory/core/query_planes.h"
+
+namespace place_memory::core {
+
+/// How many pairs of cells of each kind a pair of coarse cells stands for.
+struct PairShares {
+  double occupied_occupied, occupied_empty;
+  double empty_occupied, empty_empty;
+};
+
+/// A LatticeMetric in fixed point, so that sums do not depend on their order or on the processor.
+///
+/// All nine counts of pairs follow from the four of sensed cells on sensed ones and from how many
+/// cells each grid has of each class, so a score is the points of those four, plus what belongs to
+/// the transform, plus what belongs to the place.
+class FixedMetric {
+ public:
+  explicit FixedMetric(const LatticeMetric& metric);
+
+  /// At most 2^30 where no share is above kMostShare.
+  PairFactors factors(const PairShares& shares) const;
+  static constexpr double kMostShare = 32.0;
+
+  /// `inside`: cells of the recognition grid that lie on the learned grid after the shift.
+  std::int64_t ofTransform(const CellTotals& inside, CellShift shift, int turn) const;
+  std::int64_t ofPlace(const CellTotals& learned) const;
+
+ private:
+  std::int64_t fixed(double points) const;
+
+  LatticeMetric metric_;
+  PairShares points_;  ///< of the four kinds of pairs, beside what the totals earn
+  double scale_ = 1.0;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_FIXED_METRIC_H

@@ -1,0 +1,59 @@
+#ifndef PLACE_MEMORY_CORE_PLACE_LOOKS_H
+#define PLACE_MEMORY_CORE_PLACE_LOOKS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "fixed_metric.h"
+#include "place_memory/core/place_index.h"
+#include "start_lattice.h"
+#include "worker_pool.h"
+
+namespace place_memory::core {
+
+/// Where a place lies in an index: kBlockSize times its block, and its slot there.
+using PlaceSlot = std::uint32_t;
+
+/// What a look at a place showed.
+struct Glimpse {
+  std::int64_t score;  ///< the best of all starts, in the fixed point of the metric
+  PlaceSlot place;
+  std::uint32_t start;  ///< of the lattice that was looked through
+};
+
+/// Looks at places of one index.
+class PlaceLooks {
+ public:
+  /// Keeps references to all of these. `poll` may throw.
+  PlaceLooks(const PlaceIndex& places, const FixedMetric& metric, const std::function<void()>& poll,
+             WorkerPool& pool)
+      : places_(places), metric_(metric), poll_(poll), pool_(pool) {}
+
+  const PlaceBlock& blockOf(PlaceSlot place) const;
+  const PlaceEntry& entryOf(PlaceSlot place) const;
+  CellPlanes cellsOf(PlaceSlot place) const;
+
+  /// All places, as `lattice`, one of kFirstLook, shows them.
+  std::vector<Glimpse> lookFirst(const StartLattice& lattice) const;
+  /// All places, none looked at.
+  std::vector<Glimpse> everyPlace() const;
+
+  /// Looks again, through a lattice of kCloseLook.
+  void lookClosely(const StartLattice& lattice, Glimpse* begin, Glimpse* end) const;
+
+  /// What the places of up to kBlockPlaces glimpses score at all starts of a lattice of kCloseLook.
+  BlockBest scoreClosely(const StartLattice& lattice, const Glimpse* begin, const Glimpse* end,
+                         std::vector<BlockScores>& scores) const;
+
+ private:
+  const PlaceIndex& places_;
+  const FixedMetric& metric_;
+  const std::function<void()>& poll_;
+  WorkerPool& pool_;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_PLACE_LOOKS_H

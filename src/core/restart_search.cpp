@@ -1,0 +1,141 @@
+#include "restart_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "restarts.h"
+
+namespace place_memory::core {
+namespace {
+
+/// So many places are all looked at closely; of more, a part that grows less than they do.
+constexpr double kAllClose = 1024.0;
+constexpr double kCloseGrowth = 0.8;
+/// Likewise those that are climbed for: all of so few.
+constexpr double kLeastClimbed = 64.0;
+constexpr double kClimbedGrowth = 0.6;
+
+std::size_t partOf(std::size_t places, double least, double growth) {
+  const double times = std::max(1.0, static_cast<double>(places) / kAllClose);
+  return static_cast<std::size_t>(least * std::pow(times, growth));
+}
+
+bool isBetter(const Glimpse& a, const Glimpse& b) {
+  return a.score != b.score ? a.score > b.score : a.place < b.place;
+}
+
+/// Brings the best `count` to the front, in any order; returns the end of them.
+Glimpse* selectBest(Glimpse* begin, std::size_t count, Glimpse* end) {
+  if (count >= static_cast<std::size_t>(end - begin)) return end;
+  std::nth_element(begin, begin + count, end, isBetter);
+  return begin + count;
+}
+
+}  // namespace
+
+RestartSearch::RestartSearch(const QueryPlanes& query, const PlaceIndex& places,
+                             const LatticeMetric& metric, const SearchWindow& window,
+                             const std::function<void()>& poll, WorkerPool& pool)
+    : query_(query),
+      metric_(metric),
+      window_(window),
+      poll_(poll),
+      pool_(pool),
+      fixed_(metric),
+      looks_(places, fixed_, poll, pool),
+      size_(places.size()) {}
+
+std::vector<PlaceAlignment> RestartSearch::run() const {
+  poll_();
+  const std::size_t close = partOf(size_, kAllClose, kCloseGrowth);
+  const std::size_t climbed = partOf(size_, kLeastClimbed, kClimbedGrowth);
+  std::vector<Ranked> ranked;
+  std::vector<Glimpse> seen;
+  if (close < size_) {
+    const StartLattice first(query_, fixed_, window_, kFirstLook, pool_);
+    seen = looks_.lookFirst(first);
+    Glimpse* const end = seen.data() + seen.size();
+    Glimpse* const rest = selectBest(seen.data(), close, end);
+    if (close < kMostRanked) {
+      rankUnclimbed(first, rest, selectBest(rest, kMostRanked - close, end), ranked);
+    }
+    seen.resize(close);
+    // In the order in which they lie in memory.
+    std::sort(seen.begin(), seen.end(),
+              [](const Glimpse& a, const Glimpse& b) { return a.place < b.place; });
+  } else {
+    seen = looks_.everyPlace();
+  }
+
+  const StartLattice lattice(query_, fixed_, window_, kCloseLook, pool_);
+  Glimpse* const end = seen.data() + seen.size();
+  Glimpse* best_end = end;
+  if (climbed < seen.size()) {
+    looks_.lookClosely(lattice, seen.data(), end);
+    best_end = selectBest(seen.data(), climbed, end);
+    if (climbed < kMostRanked) {
+      rankUnclimbed(lattice, best_end, selectBest(best_end, kMostRanked - climbed, end), ranked);
+    }
+  }
+  const std::size_t unclimbed = ranked.size();
+  for (Glimpse* glimpse = seen.data(); glimpse != best_end; ++glimpse) {
+    ranked.push_back({*glimpse, false, {}});
+  }
+  std::vector<Ranked*> to_climb;
+  for (std::size_t i = unclimbed; i < ranked.size(); ++i) to_climb.push_back(&ranked[i]);
+  climb(lattice, to_climb);
+  settle(lattice, ranked);
+
+  if (ranked.size() > kMostRanked) ranked.resize(kMostRanked);
+  std::vector<PlaceAlignment> answer;
+  for (const Ranked& place : ranked) {
+    answer.push_back({&looks_.entryOf(place.glimpse.place), place.alignment});
+  }
+  return answer;
+}
+
+void RestartSearch::rankUnclimbed(const StartLattice& lattice, const Glimpse* begin,
+                                  const Glimpse* end, std::vector<Ranked>& ranked) const {
+  for (const Glimpse* glimpse = begin; glimpse != end; ++glimpse) {
+    Alignment at = lattice.start(glimpse->start);
+    at.score = scoreAt(query_, looks_.cellsOf(glimpse->place), metric_, at.shift, at.turn);
+    ranked.push_back({*glimpse, false, at});
+  }
+}
+
+void RestartSearch::climb(const StartLattice& lattice, const std::vector<Ranked*>& places) const {
+  const auto climbTogether = [&](std::size_t task) {
+    const std::size_t first = task * kBlockPlaces;
+    const std::size_t count = std::min(kBlockPlaces, places.size() - first);
+    std::array<Glimpse, kBlockPlaces> glimpses;
+    for (std::size_t i = 0; i < count; ++i) glimpses[i] = places[first + i]->glimpse;
+    std::vector<BlockScores> scores;
+    looks_.scoreClosely(lattice, glimpses.data(), glimpses.data() + count, scores);
+    for (std::size_t i = 0; i < count; ++i) {
+      Ranked& place = *places[first + i];
+      const CellPlanes cells = looks_.cellsOf(place.glimpse.place);
+      const Climber climber(query_, cells, metric_, window_);
+      place.alignment = climbFromPeaks(climber, lattice, scores, i);
+      place.climbed = true;
+    }
+  };
+  pool_.run((places.size() + kBlockPlaces - 1) / kBlockPlaces, climbTogether, poll_);
+}
+
+void RestartSearch::settle(const StartLattice& lattice, std::vector<Ranked>& ranked) const {
+  for (;;) {
+    std::sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
+      if (a.alignment.score != b.alignment.score) return a.alignment.score > b.alignment.score;
+      return a.glimpse.place < b.glimpse.place;
+    });
+    std::vector<Ranked*> left;
+    for (std::size_t i = 0; i < std::min(kSurelyClimbed, ranked.size()); ++i) {
+      if (!ranked[i].climbed) left.push_back(&ranked[i]);
+    }
+    if (left.empty()) return;
+    climb(lattice, left);
+  }
+}
+
+}  // namespace place_memory::core
