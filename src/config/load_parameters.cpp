@@ -114,6 +114,7 @@ Parameters finish(ParameterReader& reader) {
   try {
     const MatchPreset preset = loadPreset(parameters.match.preset);
     parameters.match.recognizer.metric = preset.metric;
+    parameters.match.recognizer.second_look = preset.second_look;
     parameters.match.recognizer.calibration = preset.calibration;
   } catch (const ParameterError& error) {
     problems.insert(problems.end(), error.problems().begin(), error.problems().end());

@@ -27,32 +27,47 @@ bool readWeights(const YAML::Node& node, core::PairWeights& weights) {
   return true;
 }
 
+/// Takes `key` out of the table and adds a problem where it is no three rows of three numbers.
+void takeWeights(YAML::Node& table, const std::string& key, const std::string& where,
+                 core::PairWeights& weights, std::vector<std::string>& problems) {
+  if (!table[key] || !readWeights(table[key], weights)) {
+    problems.push_back(where + ": must be three rows of three numbers, each in [-1000, 1000]");
+  }
+  table.remove(key);
+}
+
 MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   MatchPreset preset;
   std::vector<std::string> problems;
   if (!root.IsMap()) throw ParameterError({source + ": must be a table"});
-  if (!root["weights"] || !readWeights(root["weights"], preset.metric.weights)) {
-    problems.push_back("weights (" + source +
-                       "): must be three rows of three numbers, each in [-1000, 1000]");
-  }
+  takeWeights(root, "weights", "weights (" + source + ")", preset.metric.weights, problems);
   if (!root["calibration"]) problems.push_back("calibration (" + source + "): is missing");
+  core::SecondLook look;
+  YAML::Node second = root["second_look"];
+  if (second && second.IsMap()) {
+    takeWeights(second, "inner", "second_look/inner (" + source + ")", look.inner, problems);
+  }
 
-  root.remove("weights");
   ParameterReader reader;
   reader.add(root, source);
+  const Interval any{-1000.0, 1000.0, true, true};
   reader.number("shift_cost", {0.0, 1e6, true, true}, preset.metric.shift_cost);
   reader.number("turn_cost", {0.0, 1e6, true, true}, preset.metric.turn_cost);
-  reader.number("calibration/scale", {0.0, 1000.0, false, true}, preset.calibration.scale);
-  reader.number("calibration/bias", {-1000.0, 1000.0, true, true}, preset.calibration.bias);
-  auto& shares = preset.calibration.shares;
-  const Interval any{-1000.0, 1000.0, true, true};
-  reader.number("calibration/empty_on_empty", any, shares[0][0]);
-  reader.number("calibration/empty_on_occupied", any, shares[0][1]);
-  reader.number("calibration/occupied_on_empty", any, shares[1][0]);
-  reader.number("calibration/occupied_on_occupied", any, shares[1][1]);
-  reader.number("calibration/margin", {0.0, 1000.0, true, true}, preset.calibration.margin);
-  reader.number("calibration/sharpness", {0.0, 1000.0, true, true}, preset.calibration.sharpness);
-  reader.number("calibration/others", {0.0, 1.0, true, true}, preset.calibration.others);
+  if (second) {
+    reader.number("second_look/first", {0.0, 1000.0, true, true}, look.first);
+    for (std::size_t i = 0; i < core::kNearCells; ++i) {
+      reader.number(std::string("second_look/") + core::kNearCellsNames[i], any, look.near[i]);
+    }
+    preset.second_look = look;
+  }
+  core::Calibration& calibration = preset.calibration;
+  reader.number("calibration/scale", {0.0, 1000.0, false, true}, calibration.scale);
+  for (std::size_t i = 0; i < core::kSupportNames.size(); ++i) {
+    reader.number(std::string("calibration/") + core::kSupportNames[i], any,
+                  calibration.coefficients[i]);
+  }
+  reader.number("calibration/sharpness", {0.0, 1000.0, true, true}, calibration.sharpness);
+  reader.number("calibration/others", {0.0, 1.0, true, true}, calibration.others);
   const std::vector<std::string> more = reader.problems();
   problems.insert(problems.end(), more.begin(), more.end());
   if (!problems.empty()) throw ParameterError(problems);

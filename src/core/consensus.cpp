@@ -6,7 +6,7 @@
 namespace place_memory::core {
 namespace {
 
-constexpr std::size_t kHeard = 12;
+constexpr std::size_t kHeard = 10;
 constexpr double kSameSpot = 3.5;                    ///< [cells]
 constexpr double kSameHeading = 25.0 * kPi / 180.0;  ///< [rad]
 
@@ -20,16 +20,19 @@ bool agree(const Pose2d& a, const Pose2d& b, double cell_size) {
 Consensus findConsensus(const std::vector<Opinion>& opinions, double cell_size) {
   Consensus consensus;
   const Opinion& best = opinions.front();
+  double contradicting = 0.0, sum = 0.0;
   const std::size_t heard = std::min(opinions.size(), kHeard);
   for (std::size_t i = 1; i < heard; ++i) {
-    if (!agree(opinions[i].map_from_scan, best.map_from_scan, cell_size)) continue;
-    if (opinions[i].shift < opinions[consensus.chosen].shift) consensus.chosen = i;
+    const Opinion& opinion = opinions[i];
+    if (agree(opinion.map_from_scan, best.map_from_scan, cell_size)) {
+      if (opinion.shift < opinions[consensus.chosen].shift) consensus.chosen = i;
+      continue;
+    }
+    if (contradicting == 0.0) consensus.lead = best.score - opinion.score;
+    contradicting += 1.0;
+    sum += opinion.score;
   }
-  for (const Opinion& opinion : opinions) {
-    if (agree(opinion.map_from_scan, best.map_from_scan, cell_size)) continue;
-    consensus.runner_up = std::max(opinion.score, 0.0);
-    break;
-  }
+  if (contradicting > 0.0) consensus.prominence = best.score - sum / contradicting;
   return consensus;
 }
 

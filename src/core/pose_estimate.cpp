@@ -22,6 +22,7 @@ int wrapTurn(int turn, const SearchWindow& window) {
 PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
                           const LatticeMetric& metric, const SearchWindow& window,
                           const Alignment& best, double cell_size, double sharpness) {
+  const double best_score = scoreAt(query, learned, metric, best.shift, best.turn);
   double all = 0.0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
@@ -34,7 +35,7 @@ PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
         const CellShift shift{best.shift.columns + columns, best.shift.rows + rows};
         if (std::max(std::abs(shift.columns), std::abs(shift.rows)) > window.cells) continue;
         const double score = scoreAt(query, learned, metric, shift, at_turn);
-        const double weight = std::exp(std::min(sharpness * (score - best.score), 0.0));
+        const double weight = std::exp(std::min(sharpness * (score - best_score), 0.0));
         const Eigen::Vector3d offset = Eigen::Vector3d(columns, rows, turn).cwiseProduct(step);
         all += weight;
         mean += weight * offset;

@@ -7,6 +7,7 @@
 
 #include "place_memory/core/consensus.h"
 #include "place_memory/core/pose_estimate.h"
+#include "place_memory/core/second_look.h"
 #include "place_search.h"
 
 namespace place_memory::core {
@@ -24,6 +25,26 @@ bool sensedNothing(const EvidenceGrid& grid) {
 Pose2d poseOf(const Alignment& alignment, double cell_size) {
   return {alignment.shift.columns * cell_size, alignment.shift.rows * cell_size,
           wrapAngle(alignment.turn * kHeadingStep)};
+}
+
+/// Looks again at the foremost places and ranks anew.
+void lookAgain(const QueryPlanes& query, const PlaceIndex& places, const SecondLook& look,
+               std::vector<PlaceAlignment>& all) {
+  std::vector<double> first, again;
+  for (const PlaceAlignment& found : all) {
+    const Alignment& alignment = found.alignment;
+    first.push_back(alignment.score);
+    if (again.size() >= kLookedAtAgain) continue;
+    const CloseCounts counts =
+        countClosely(query.at(alignment.turn), alignment.shift, places.cells(found.entry->id));
+    again.push_back(scoreAgain(alignment.score, counts, look));
+  }
+  const std::vector<double> scores = combineLooks(first, again);
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].alignment.score = scores[i];
+  const auto foremost = all.begin() + static_cast<std::ptrdiff_t>(again.size());
+  std::stable_sort(all.begin(), foremost, [](const PlaceAlignment& a, const PlaceAlignment& b) {
+    return a.alignment.score > b.alignment.score;
+  });
 }
 
 Consensus consensusOf(const std::vector<PlaceAlignment>& all, double cell_size) {
@@ -81,6 +102,7 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
   std::vector<PlaceAlignment> all =
       searchPlaces(query, places, metric, window, options_.method, cancelled);
   if (all.empty()) return {};
+  if (options_.second_look) lookAgain(query, places, *options_.second_look, all);
   const Consensus consensus = consensusOf(all, cell_size);
   const auto chosen = all.begin() + static_cast<std::ptrdiff_t>(consensus.chosen);
   std::rotate(all.begin(), chosen, chosen + 1);
@@ -94,11 +116,13 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
   }
   // Unsensed cells may earn points, so scores alone do not tell such a scan from a good one.
   if (!sensedNothing(scan.grid)) {
-    const PlaceAlignment& best = all.front();
-    const PairCounts own = countPairs(query.at(0), {0, 0}, CellPlanes(scan.grid));
-    const PairCounts at = countPairs(query.at(best.alignment.turn), best.alignment.shift, cells);
-    const double lead = best.alignment.score - consensus.runner_up;
-    judge(agreementOf(at, own), lead, options_.calibration, options_.confidence, recognition);
+    const Alignment& best = all.front().alignment;
+    const CellPlanes& turned = query.at(best.turn);
+    const Support support =
+        supportOf(countPairs(turned, best.shift, cells), countClosely(turned, best.shift, cells),
+                  countPairs(query.at(0), {0, 0}, CellPlanes(scan.grid)), consensus, all.size(),
+                  options_.calibration.scale);
+    judge(support, options_.calibration, options_.confidence, recognition);
   }
   locate(scan, all.front(),
          estimatePose(query, cells, metric, window, all.front().alignment, cell_size,

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace place_memory::core {
 namespace {
 
-double probabilityOf(const Calibration& calibration, const Agreement& agreement, double lead) {
-  double log_odds = calibration.bias + calibration.margin * std::log1p(calibration.scale * lead);
-  for (std::size_t r = 0; r < agreement.size(); ++r) {
-    for (std::size_t l = 0; l < agreement[r].size(); ++l) {
-      log_odds += agreement[r][l] * calibration.shares[r][l];
-    }
+constexpr std::size_t kLead = 8, kProminence = 9;
+/// A lead and a prominence that leave no doubt, in units of the scale.
+constexpr double kClear = 10.0;
+
+double probabilityOf(const Calibration& calibration, const Support& support) {
+  double log_odds = 0.0;
+  for (std::size_t i = 0; i < support.size(); ++i) {
+    log_odds += calibration.coefficients[i] * support[i];
   }
   return 1.0 / (1.0 + std::exp(-log_odds));
 }
@@ -19,8 +22,10 @@ double probabilityOf(const Calibration& calibration, const Agreement& agreement,
 /// Splits `rest` among all matches but the first.
 void shareAmongOthers(double rest, double scale, std::vector<PlaceMatch>& matches) {
   double all = 0.0;
+  double best = matches[1].score;
+  for (std::size_t i = 2; i < matches.size(); ++i) best = std::max(best, matches[i].score);
   const auto weight = [&](const PlaceMatch& match) {
-    return std::exp(scale * (match.score - matches[1].score));
+    return std::exp(scale * (match.score - best));
   };
   for (std::size_t i = 1; i < matches.size(); ++i) all += weight(matches[i]);
   for (std::size_t i = 1; i < matches.size(); ++i) {
@@ -30,35 +35,43 @@ void shareAmongOthers(double rest, double scale, std::vector<PlaceMatch>& matche
 
 }  // namespace
 
-Agreement agreementOf(const PairCounts& at, const PairCounts& own) {
-  constexpr std::array<std::size_t, 2> kSensed{static_cast<std::size_t>(CellClass::kEmpty),
-                                               static_cast<std::size_t>(CellClass::kOccupied)};
-  Agreement agreement{};
-  for (std::size_t r = 0; r < kSensed.size(); ++r) {
-    const int cells = own[kSensed[r]][kSensed[r]];
-    if (cells == 0) continue;
-    for (std::size_t l = 0; l < kSensed.size(); ++l) {
-      agreement[r][l] = static_cast<double>(at[kSensed[r]][kSensed[l]]) / cells;
-    }
-  }
-  return agreement;
+Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCounts& own,
+                  const Consensus& consensus, std::size_t places, double scale) {
+  constexpr auto kEmpty = static_cast<std::size_t>(CellClass::kEmpty);
+  constexpr auto kOccupied = static_cast<std::size_t>(CellClass::kOccupied);
+  const auto share = [&](int cells, std::size_t of) {
+    return own[of][of] == 0 ? 0.0 : static_cast<double>(cells) / own[of][of];
+  };
+  return {1.0,
+          share(at[kEmpty][kEmpty], kEmpty),
+          share(at[kEmpty][kOccupied], kEmpty),
+          share(at[kOccupied][kEmpty], kOccupied),
+          share(at[kOccupied][kOccupied], kOccupied),
+          share(closely.of(NearCells::kOccupiedWithinOne), kOccupied),
+          share(closely.of(NearCells::kOccupiedWithinTwo), kOccupied),
+          share(closely.of(NearCells::kEmptyByOccupied), kEmpty),
+          std::log1p(scale * std::max(consensus.lead, 0.0)),
+          scale * consensus.prominence,
+          1.0 / static_cast<double>(std::max<std::size_t>(places, 1))};
 }
 
-void judge(const Agreement& agreement, double lead, const Calibration& calibration,
-           double confidence, Recognition& recognition) {
+void judge(const Support& support, const Calibration& calibration, double confidence,
+           Recognition& recognition) {
   std::vector<PlaceMatch>& matches = recognition.matches;
   recognition.verdict = Verdict::kUnknown;
   if (matches.empty()) return;
-  const double best = matches.front().score;
-  const double probability = probabilityOf(calibration, agreement, std::max(lead, 0.0));
+  const double probability = probabilityOf(calibration, support);
   matches.front().probability = probability;
   if (matches.size() > 1) {
     const double rest = std::min(calibration.others * (1.0 - probability), probability);
     shareAmongOthers(rest, calibration.scale, matches);
   }
+  Support clear = support;
+  clear[kLead] = std::max(clear[kLead], std::log1p(kClear));
+  clear[kProminence] = std::max(clear[kProminence], kClear);
   if (probability >= confidence) {
     recognition.verdict = Verdict::kRecognized;
-  } else if (probabilityOf(calibration, agreement, std::max(best, 0.0)) >= confidence) {
+  } else if (probabilityOf(calibration, clear) >= confidence) {
     recognition.verdict = Verdict::kAmbiguous;
   }
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 #include "place_memory/core/consensus.h"
 #include "training/ranking_fit.h"
@@ -12,7 +14,7 @@
 namespace place_memory::training {
 namespace {
 
-using Regressors = Eigen::Matrix<double, 6, 1>;
+using Regressors = Eigen::Matrix<double, std::tuple_size<core::Support>::value, 1>;
 
 core::PairCounts countsOf(const Features& features) {
   core::PairCounts counts{};
@@ -31,33 +33,54 @@ struct Sample {
   double weight = 1.0;
 };
 
-/// The candidates by falling score.
-std::vector<const Candidate*> ranked(const CandidateList& list, const Features& weights) {
+/// The candidates as the recognizer ranks them, with their scores.
+struct Ranking {
   std::vector<const Candidate*> order;
-  for (const Candidate& candidate : list.candidates) order.push_back(&candidate);
-  std::stable_sort(order.begin(), order.end(), [&](const Candidate* a, const Candidate* b) {
-    return weights.dot(a->features) > weights.dot(b->features);
-  });
-  return order;
+  std::vector<double> scores;
+};
+
+Ranking rankingOf(const CandidateList& list, const RankingWeights& weights) {
+  Ranking ranking{ranked(list, weights.metric), {}};
+  for (const Candidate* candidate : ranking.order) {
+    ranking.scores.push_back(weights.metric.dot(candidate->features));
+  }
+  if (!weights.second_look) return ranking;
+  std::vector<double> again;
+  for (std::size_t i = 0; i < std::min(ranking.order.size(), core::kLookedAtAgain); ++i) {
+    again.push_back(
+        core::scoreAgain(ranking.scores[i], ranking.order[i]->closely, *weights.second_look));
+  }
+  const std::vector<double> scores = core::combineLooks(ranking.scores, again);
+  std::vector<std::size_t> by_score(scores.size());
+  std::iota(by_score.begin(), by_score.end(), 0U);
+  std::stable_sort(by_score.begin(), by_score.end(),
+                   [&](std::size_t a, std::size_t b) { return scores[a] > scores[b]; });
+  Ranking anew;
+  for (const std::size_t i : by_score) {
+    anew.order.push_back(ranking.order[i]);
+    anew.scores.push_back(scores[i]);
+  }
+  return anew;
 }
 
-Sample sampleOf(const CandidateList& list, const Features& weights, double scale, double weight) {
-  const std::vector<const Candidate*> order = ranked(list, weights);
+Sample sampleOf(const CandidateList& list, const RankingWeights& weights, double scale,
+                double weight) {
+  const Ranking ranking = rankingOf(list, weights);
   std::vector<core::Opinion> opinions;
   bool any_right = false;
-  for (const Candidate* candidate : order) {
-    const core::Pose2d& pose = candidate->place_from_scan;
-    opinions.push_back(
-        {weights.dot(candidate->features), std::hypot(pose.x, pose.y), candidate->map_from_scan});
-    any_right = any_right || candidate->right;
+  for (std::size_t i = 0; i < ranking.order.size(); ++i) {
+    const Candidate& candidate = *ranking.order[i];
+    const core::Pose2d& pose = candidate.place_from_scan;
+    opinions.push_back({ranking.scores[i], std::hypot(pose.x, pose.y), candidate.map_from_scan});
+    any_right = any_right || candidate.right;
   }
   const core::Consensus consensus = core::findConsensus(opinions, list.cell_size);
-  const Candidate& match = *order[consensus.chosen];
-  const double lead = opinions[consensus.chosen].score - consensus.runner_up;
-  const core::Agreement shares = core::agreementOf(countsOf(match.features), countsOf(list.own));
+  const Candidate& match = *ranking.order[consensus.chosen];
+  const core::Support support =
+      core::supportOf(countsOf(match.features), match.closely, countsOf(list.own), consensus,
+                      list.candidates.size(), scale);
   Sample sample;
-  sample.regressors << 1.0, shares[0][0], shares[0][1], shares[1][0], shares[1][1],
-      std::log1p(scale * std::max(lead, 0.0));
+  sample.regressors = Eigen::Map<const Regressors>(support.data());
   sample.right = match.right;
   sample.right_elsewhere = any_right && !match.right;
   sample.weight = weight;
@@ -65,8 +88,8 @@ Sample sampleOf(const CandidateList& list, const Features& weights, double scale
 }
 
 std::vector<Sample> samplesOf(const std::vector<CandidateList>& known,
-                              const std::vector<CandidateList>& strangers, const Features& weights,
-                              double scale) {
+                              const std::vector<CandidateList>& strangers,
+                              const RankingWeights& weights, double scale) {
   std::vector<Sample> samples;
   const auto add = [&](const std::vector<CandidateList>& lists) {
     for (const CandidateList& list : lists) {
@@ -86,10 +109,12 @@ double probabilityOf(const Sample& sample, const Regressors& coefficients) {
 Regressors fitLogistic(const std::vector<Sample>& samples) {
   constexpr int kSteps = 60;
   constexpr double kRidge = 1e-5;
+  using Hessian =
+      Eigen::Matrix<double, Regressors::RowsAtCompileTime, Regressors::RowsAtCompileTime>;
   Regressors coefficients = Regressors::Zero();
   for (int i = 0; i < kSteps; ++i) {
     Regressors gradient = kRidge * coefficients;
-    Eigen::Matrix<double, 6, 6> hessian = kRidge * Eigen::Matrix<double, 6, 6>::Identity();
+    Hessian hessian = kRidge * Hessian::Identity();
     for (const Sample& sample : samples) {
       const double p = probabilityOf(sample, coefficients);
       gradient += sample.weight * (p - (sample.right ? 1.0 : 0.0)) * sample.regressors;
@@ -100,7 +125,6 @@ Regressors fitLogistic(const std::vector<Sample>& samples) {
     if (size > 2.0) step *= 2.0 / size;
     coefficients -= step;
   }
-  coefficients[5] = std::max(coefficients[5], 0.0);
   return coefficients;
 }
 
@@ -108,14 +132,13 @@ Regressors fitLogistic(const std::vector<Sample>& samples) {
 
 core::Calibration fitCalibration(const std::vector<CandidateList>& known,
                                  const std::vector<CandidateList>& strangers,
-                                 const Features& weights) {
+                                 const RankingWeights& weights) {
   core::Calibration calibration;
-  calibration.scale = bestScale(known, weights);
+  // A second look's scores are in nats already: it is fitted on the scale of its first look.
+  if (!weights.second_look) calibration.scale = bestScale(firstChoices(known), weights.metric);
   const std::vector<Sample> samples = samplesOf(known, strangers, weights, calibration.scale);
   const Regressors coefficients = fitLogistic(samples);
-  calibration.bias = coefficients[0];
-  calibration.shares = {{{coefficients[1], coefficients[2]}, {coefficients[3], coefficients[4]}}};
-  calibration.margin = coefficients[5];
+  Eigen::Map<Regressors>(calibration.coefficients.data()) = coefficients;
   double wrong = 0.0, elsewhere = 0.0;
   for (const Sample& sample : samples) {
     wrong += sample.right ? 0.0 : sample.weight;
@@ -127,17 +150,14 @@ core::Calibration fitCalibration(const std::vector<CandidateList>& known,
 
 CalibrationReport reportCalibration(const std::vector<CandidateList>& known,
                                     const std::vector<CandidateList>& strangers,
-                                    const Features& weights, const core::Calibration& calibration,
-                                    double confidence) {
+                                    const RankingWeights& weights,
+                                    const core::Calibration& calibration, double confidence) {
   constexpr std::size_t kBins = 10;
   struct Bin {
     double weight = 0.0, probability = 0.0, right = 0.0;
   };
   std::array<Bin, kBins> bins;
-  const auto& shares = calibration.shares;
-  Regressors coefficients;
-  coefficients << calibration.bias, shares[0][0], shares[0][1], shares[1][0], shares[1][1],
-      calibration.margin;
+  const Regressors coefficients = Eigen::Map<const Regressors>(calibration.coefficients.data());
   CalibrationReport report;
   const std::size_t known_count = samplesOf(known, {}, weights, calibration.scale).size();
   std::size_t index = 0;
@@ -148,6 +168,7 @@ CalibrationReport reportCalibration(const std::vector<CandidateList>& known,
     bin.probability += sample.weight * p;
     bin.right += sample.right ? sample.weight : 0.0;
     const bool is_known = index++ < known_count;
+    if (is_known && sample.right) report.top_one += sample.weight;
     if (p < confidence) continue;
     if (!is_known) report.accepted += sample.weight;
     if (is_known && sample.right) report.recognized += sample.weight;

@@ -24,6 +24,8 @@ Features featuresAt(const core::QueryPlanes& query, const core::CellPlanes& lear
   return features;
 }
 
+constexpr Eigen::Index kLookFeatures = 1 + 9 + static_cast<Eigen::Index>(core::kNearCells);
+
 /// An alignment this near to the truth is right [cells, heading steps].
 constexpr double kAtTruth = 3.5;
 
@@ -59,8 +61,10 @@ class Memory {
                                          core::wrapAngle(found.turn * core::kHeadingStep)};
       const core::Pose2d map_from_scan = set_.learned[i].map_from_scan * place_from_scan;
       const bool at_truth = right || (!accept.empty() && near(map_from_scan, trial.map_from_scan));
-      list.candidates.push_back({i, right, at_truth, place_from_scan, map_from_scan,
-                                 featuresAt(query, places_[i], found, window, set_.cell_size)});
+      list.candidates.push_back(
+          {i, right, at_truth, place_from_scan, map_from_scan,
+           featuresAt(query, places_[i], found, window, set_.cell_size),
+           core::countClosely(query.at(found.turn), found.shift, places_[i])});
     }
     return list;
   }
@@ -99,6 +103,72 @@ core::MatchMetric asMetric(const Features& weights) {
   metric.shift_cost = std::max(-weights[i], 0.0);
   metric.turn_cost = std::max(-weights[i + 1], 0.0);
   return metric;
+}
+
+Eigen::VectorXd asWeights(const core::SecondLook& look) {
+  Eigen::VectorXd weights(kLookFeatures);
+  Eigen::Index i = 0;
+  weights[i++] = look.first;
+  for (const auto& row : look.inner) {
+    for (const double weight : row) weights[i++] = weight;
+  }
+  for (const double weight : look.near) weights[i++] = weight;
+  return weights;
+}
+
+core::SecondLook asSecondLook(const Eigen::VectorXd& weights) {
+  core::SecondLook look;
+  Eigen::Index i = 0;
+  look.first = std::max(weights[i++], 0.0);
+  for (auto& row : look.inner) {
+    for (double& weight : row) weight = weights[i++];
+  }
+  for (double& weight : look.near) weight = weights[i++];
+  return look;
+}
+
+std::vector<const Candidate*> ranked(const CandidateList& list, const Features& weights) {
+  std::vector<const Candidate*> order;
+  for (const Candidate& candidate : list.candidates) order.push_back(&candidate);
+  std::stable_sort(order.begin(), order.end(), [&](const Candidate* a, const Candidate* b) {
+    return weights.dot(a->features) > weights.dot(b->features);
+  });
+  return order;
+}
+
+std::vector<Choice> firstChoices(const std::vector<CandidateList>& lists) {
+  std::vector<Choice> choices;
+  for (const CandidateList& list : lists) {
+    Choice choice{Eigen::MatrixXd(list.candidates.size(), kFeatures), {}, list.weight};
+    for (const Candidate& candidate : list.candidates) {
+      choice.features.row(static_cast<Eigen::Index>(choice.right.size())) = candidate.features;
+      choice.right.push_back(candidate.at_truth);
+    }
+    choices.push_back(std::move(choice));
+  }
+  return choices;
+}
+
+std::vector<Choice> secondChoices(const std::vector<CandidateList>& lists,
+                                  const Features& weights) {
+  std::vector<Choice> choices;
+  for (const CandidateList& list : lists) {
+    std::vector<const Candidate*> order = ranked(list, weights);
+    order.resize(std::min(order.size(), core::kLookedAtAgain));
+    Choice choice{Eigen::MatrixXd(order.size(), kLookFeatures), {}, list.weight};
+    for (const Candidate* candidate : order) {
+      const auto row = static_cast<Eigen::Index>(choice.right.size());
+      Eigen::Index i = 0;
+      choice.features(row, i++) = weights.dot(candidate->features);
+      for (const auto& counts : candidate->closely.inner) {
+        for (const int count : counts) choice.features(row, i++) = count;
+      }
+      for (const int count : candidate->closely.near) choice.features(row, i++) = count;
+      choice.right.push_back(candidate->at_truth);
+    }
+    choices.push_back(std::move(choice));
+  }
+  return choices;
 }
 
 std::vector<CandidateList> alignAll(const trials::TrialSet& set, const core::SonarModel& model,

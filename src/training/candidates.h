@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "place_memory/core/match_metric.h"
+#include "place_memory/core/second_look.h"
 #include "place_memory/core/sonar_model.h"
+#include "training/ranking_fit.h"
 #include "trials/trial_set.h"
 
 namespace place_memory::training {
@@ -24,6 +26,7 @@ struct Candidate {
   core::Pose2d place_from_scan;  ///< the alignment
   core::Pose2d map_from_scan;    ///< what follows from it
   Features features = Features::Zero();
+  core::CloseCounts closely;
 };
 
 /// All places against one scan.
@@ -38,6 +41,19 @@ struct CandidateList {
 /// The metric as weights of the features, and back.
 Features asWeights(const core::MatchMetric& metric);
 core::MatchMetric asMetric(const Features& weights);
+constexpr Eigen::Index kCosts = 2;  ///< of the features, at their end: weights are at most 0
+
+/// What a SecondLook is linear in: the score of the first look, nine pairs, and the near cells.
+Eigen::VectorXd asWeights(const core::SecondLook& look);
+core::SecondLook asSecondLook(const Eigen::VectorXd& weights);
+
+/// Every list as a choice among all its candidates.
+std::vector<Choice> firstChoices(const std::vector<CandidateList>& lists);
+/// Every list as a choice among those that the second look is taken at.
+std::vector<Choice> secondChoices(const std::vector<CandidateList>& lists, const Features& weights);
+
+/// Candidates by falling score of the first look. Equal ones keep their order.
+std::vector<const Candidate*> ranked(const CandidateList& list, const Features& weights);
 
 /// Aligns every scan of the set with every place, by hill climbing with restarts.
 std::vector<CandidateList> alignAll(const trials::TrialSet& set, const core::SonarModel& model,

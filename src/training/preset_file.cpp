@@ -13,6 +13,25 @@ std::string number(double value) {
   return text;
 }
 
+void writeTable(std::ostream& out, const std::string& indent, const core::PairWeights& weights) {
+  for (const auto& row : weights) {
+    out << indent << "- [" << number(row[0]) << ", " << number(row[1]) << ", " << number(row[2])
+        << "]\n";
+  }
+}
+
+void writeSecondLook(std::ostream& out, const core::SecondLook& look) {
+  out << "\n# A second look at the places that score best: `first` times their score, points for "
+         "pairs of\n# cells within nine cells of the place, and for cells that lie near one "
+         "another.\nsecond_look:\n  first: "
+      << number(look.first) << "  # in [0, 1000]\n  inner:\n";
+  writeTable(out, "    ", look.inner);
+  for (std::size_t i = 0; i < core::kNearCells; ++i) {
+    out << "  " << core::kNearCellsNames[i] << ": " << number(look.near[i])
+        << "  # in [-1000, 1000]\n";
+  }
+}
+
 }  // namespace
 
 void writePreset(const std::string& path, const std::string& origin,
@@ -22,31 +41,25 @@ void writePreset(const std::string& path, const std::string& origin,
        << "# Points for a pair of corresponding cells. Rows: class of the recognition grid's cell "
           "(empty,\n# unsensed, occupied); columns: of the learned grid's cell, likewise. Each in "
           "[-1000, 1000].\nweights:\n";
-  for (const auto& row : preset.metric.weights) {
-    file << "  - [" << number(row[0]) << ", " << number(row[1]) << ", " << number(row[2]) << "]\n";
-  }
+  writeTable(file, "  ", preset.metric.weights);
+  file << "\n# What an alignment costs that is far from where the robot is expected to stand.\n"
+       << "shift_cost: " << number(preset.metric.shift_cost)
+       << "  # of the shift's square [points / m^2], >= 0\n"
+       << "turn_cost: " << number(preset.metric.turn_cost)
+       << "  # of a turn to the edge of the heading window, by its square [points], >= 0\n";
+  if (preset.second_look) writeSecondLook(file, *preset.second_look);
   const core::Calibration& c = preset.calibration;
-  file
-      << "\n# What an alignment costs that is far from where the robot is expected to stand.\n"
-      << "shift_cost: " << number(preset.metric.shift_cost)
-      << "  # of the shift's square [points / m^2], >= 0\n"
-      << "turn_cost: " << number(preset.metric.turn_cost)
-      << "  # of a turn to the edge of the heading window, by its square [points], >= 0\n\n"
-      << "# From scores to probabilities: the log odds that the best match is right are\n"
-      << "# bias + margin * log(1 + scale * (best - runner-up)) and, for each kind of pair, its "
-         "factor\n# times the share of the scan's cells of the first class that fall on the second."
-         "\ncalibration:\n"
-      << "  scale: " << number(c.scale) << "  # [1 / score], in (0, 1000]\n"
-      << "  bias: " << number(c.bias) << "  # in [-1000, 1000]\n"
-      << "  empty_on_empty: " << number(c.shares[0][0]) << "  # in [-1000, 1000]\n"
-      << "  empty_on_occupied: " << number(c.shares[0][1]) << "  # in [-1000, 1000]\n"
-      << "  occupied_on_empty: " << number(c.shares[1][0]) << "  # in [-1000, 1000]\n"
-      << "  occupied_on_occupied: " << number(c.shares[1][1]) << "  # in [-1000, 1000]\n"
-      << "  margin: " << number(c.margin) << "  # in [0, 1000]\n"
-      << "  sharpness: " << number(c.sharpness)
-      << "  # of a pose's likelihood by its score, for the covariance [1 / score], in [0, 1000]\n"
-      << "  others: " << number(c.others)
-      << "  # share of the remaining probability that the other places get, in [0, 1]\n";
+  file << "\n# From scores to probabilities: coefficients of the log odds that the best match is "
+          "right. What\n# they are taken with: kSupportNames in core/verdict.h.\ncalibration:\n"
+       << "  scale: " << number(c.scale) << "  # [1 / score], in (0, 1000]\n";
+  for (std::size_t i = 0; i < c.coefficients.size(); ++i) {
+    file << "  " << core::kSupportNames[i] << ": " << number(c.coefficients[i])
+         << "  # in [-1000, 1000]\n";
+  }
+  file << "  sharpness: " << number(c.sharpness)
+       << "  # of a pose's likelihood by its score, for the covariance [1 / score], in [0, 1000]\n"
+       << "  others: " << number(c.others)
+       << "  # share of the remaining probability that the other places get, in [0, 1]\n";
   file.close();
   if (!file) throw std::runtime_error(path + ": cannot be written");
 }

@@ -7,123 +7,112 @@
 namespace place_memory::training {
 namespace {
 
-using Matrix = Eigen::Matrix<double, kFeatures, kFeatures>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 constexpr int kMostSteps = 50;
 constexpr double kLeastGain = 1e-7;  ///< of the loss, for one more step
 
 /// Softmax shares of the candidates, and of the right ones among themselves.
 struct Shares {
-  Eigen::VectorXd all;
-  Eigen::VectorXd right;
+  VectorXd all;
+  VectorXd right;
   double right_share = 0.0;
 };
 
-Shares sharesOf(const CandidateList& list, const Features& weights) {
-  const auto n = static_cast<Eigen::Index>(list.candidates.size());
-  Shares shares{Eigen::VectorXd(n), Eigen::VectorXd(n), 0.0};
-  for (Eigen::Index i = 0; i < n; ++i) {
-    shares.all[i] = weights.dot(list.candidates[static_cast<std::size_t>(i)].features);
-  }
+Shares sharesOf(const Choice& choice, const VectorXd& weights) {
+  Shares shares;
+  shares.all = choice.features * weights;
   shares.all = (shares.all.array() - shares.all.maxCoeff()).exp();
   shares.all /= shares.all.sum();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    shares.right[i] = list.candidates[static_cast<std::size_t>(i)].at_truth ? shares.all[i] : 0.0;
+  shares.right = shares.all;
+  for (Index i = 0; i < shares.right.size(); ++i) {
+    if (!choice.right[static_cast<std::size_t>(i)]) shares.right[i] = 0.0;
   }
   shares.right_share = shares.right.sum();
   if (shares.right_share > 0.0) shares.right /= shares.right_share;
   return shares;
 }
 
-bool hasRight(const CandidateList& list) {
-  return std::any_of(list.candidates.begin(), list.candidates.end(),
-                     [](const Candidate& candidate) { return candidate.at_truth; });
+bool hasRight(const Choice& choice) {
+  return std::find(choice.right.begin(), choice.right.end(), true) != choice.right.end();
 }
 
 /// Standard deviation of each feature over all candidates; 1 where it is 0.
-Features spreadOf(const std::vector<CandidateList>& lists) {
-  Features sum = Features::Zero(), squares = Features::Zero();
+VectorXd spreadOf(const std::vector<Choice>& choices, Index size) {
+  VectorXd sum = VectorXd::Zero(size), squares = VectorXd::Zero(size);
   double n = 0.0;
-  for (const CandidateList& list : lists) {
-    for (const Candidate& candidate : list.candidates) {
-      sum += candidate.features;
-      squares += candidate.features.cwiseAbs2();
-      n += 1.0;
-    }
+  for (const Choice& choice : choices) {
+    sum += choice.features.colwise().sum().transpose();
+    squares += choice.features.cwiseAbs2().colwise().sum().transpose();
+    n += static_cast<double>(choice.features.rows());
   }
-  Features spread = (squares / n - (sum / n).cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
+  const VectorXd spread = (squares / n - (sum / n).cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
   return spread.unaryExpr([](double s) { return s > 0.0 ? s : 1.0; });
 }
 
 class Objective {
  public:
-  Objective(const std::vector<CandidateList>& lists, const Features& prior, double ridge)
-      : lists_(lists), prior_(prior), curve_(2.0 * ridge * spreadOf(lists).cwiseAbs2()) {}
+  Objective(const std::vector<Choice>& choices, const VectorXd& prior, double ridge)
+      : choices_(choices),
+        prior_(prior),
+        curve_(2.0 * ridge * spreadOf(choices, prior.size()).cwiseAbs2()) {}
 
-  double at(const Features& weights) const {
-    return rankingLoss(lists_, weights) + 0.5 * (weights - prior_).cwiseAbs2().dot(curve_);
+  double at(const VectorXd& weights) const {
+    return rankingLoss(choices_, weights) + 0.5 * (weights - prior_).cwiseAbs2().dot(curve_);
   }
 
-  Features newtonStep(const Features& weights) const {
-    Features gradient = Features::Zero();
-    Matrix hessian = Matrix::Zero();
+  VectorXd newtonStep(const VectorXd& weights) const {
+    VectorXd gradient = VectorXd::Zero(prior_.size());
+    MatrixXd hessian = MatrixXd::Zero(prior_.size(), prior_.size());
     double n = 0.0;
-    for (const CandidateList& list : lists_) {
-      if (!hasRight(list)) continue;
-      n += list.weight;
-      addTrial(list, weights, gradient, hessian);
+    for (const Choice& choice : choices_) {
+      if (!hasRight(choice)) continue;
+      n += choice.weight;
+      const Shares shares = sharesOf(choice, weights);
+      const VectorXd mean = choice.features.transpose() * shares.all;
+      gradient += choice.weight * (mean - choice.features.transpose() * shares.right);
+      hessian +=
+          choice.weight * (choice.features.transpose() * shares.all.asDiagonal() * choice.features -
+                           mean * mean.transpose());
     }
     gradient = gradient / n + (weights - prior_).cwiseProduct(curve_);
     hessian = hessian / n;
     // The part of the right candidates' spread is left out, so that the matrix stays positive.
-    hessian.diagonal() += curve_ + Features::Constant(1e-12);
+    hessian.diagonal() += curve_ + VectorXd::Constant(prior_.size(), 1e-12);
     return hessian.ldlt().solve(gradient);
   }
 
  private:
-  static void addTrial(const CandidateList& list, const Features& weights, Features& gradient,
-                       Matrix& hessian) {
-    const Shares shares = sharesOf(list, weights);
-    Features mean = Features::Zero(), right_mean = Features::Zero();
-    Matrix second = Matrix::Zero();
-    for (Eigen::Index i = 0; i < shares.all.size(); ++i) {
-      const Features& f = list.candidates[static_cast<std::size_t>(i)].features;
-      mean += shares.all[i] * f;
-      right_mean += shares.right[i] * f;
-      second += shares.all[i] * f * f.transpose();
-    }
-    gradient += list.weight * (mean - right_mean);
-    hessian += list.weight * (second - mean * mean.transpose());
-  }
-
-  const std::vector<CandidateList>& lists_;
-  Features prior_;
-  Features curve_;
+  const std::vector<Choice>& choices_;
+  VectorXd prior_;
+  VectorXd curve_;
 };
 
-Features withinBounds(Features weights) {
-  weights.tail<2>() = weights.tail<2>().cwiseMin(0.0);
+VectorXd withinBounds(VectorXd weights, Index costs) {
+  weights.tail(costs) = weights.tail(costs).cwiseMin(0.0);
   return weights;
 }
 
 }  // namespace
 
-double rankingLoss(const std::vector<CandidateList>& lists, const Features& weights) {
+double rankingLoss(const std::vector<Choice>& choices, const VectorXd& weights) {
   constexpr double kLeastShare = 1e-12;
   double loss = 0.0, n = 0.0;
-  for (const CandidateList& list : lists) {
-    if (!hasRight(list)) continue;
-    loss -= list.weight * std::log(std::max(sharesOf(list, weights).right_share, kLeastShare));
-    n += list.weight;
+  for (const Choice& choice : choices) {
+    if (!hasRight(choice)) continue;
+    loss -= choice.weight * std::log(std::max(sharesOf(choice, weights).right_share, kLeastShare));
+    n += choice.weight;
   }
   return n > 0.0 ? loss / n : 0.0;
 }
 
-double bestScale(const std::vector<CandidateList>& lists, const Features& weights) {
+double bestScale(const std::vector<Choice>& choices, const VectorXd& weights) {
   double best = 1.0, least = INFINITY;
   for (double exponent = -6.0; exponent <= 2.0; exponent += 0.125) {
     const double scale = std::exp2(exponent);
-    const double loss = rankingLoss(lists, scale * weights);
+    const double loss = rankingLoss(choices, scale * weights);
     if (loss < least) {
       least = loss;
       best = scale;
@@ -132,17 +121,18 @@ double bestScale(const std::vector<CandidateList>& lists, const Features& weight
   return best;
 }
 
-Features fitRanking(const std::vector<CandidateList>& lists, const Features& prior, double ridge) {
-  const Features start = withinBounds(prior);
-  const Features scaled = bestScale(lists, start) * start;
-  const Objective objective(lists, scaled, ridge);
-  Features weights = scaled;
+VectorXd fitRanking(const std::vector<Choice>& choices, const VectorXd& prior, double ridge,
+                    Index costs) {
+  const VectorXd start = withinBounds(prior, costs);
+  const VectorXd scaled = bestScale(choices, start) * start;
+  const Objective objective(choices, scaled, ridge);
+  VectorXd weights = scaled;
   double loss = objective.at(weights);
   for (int i = 0; i < kMostSteps; ++i) {
-    const Features step = objective.newtonStep(weights);
+    const VectorXd step = objective.newtonStep(weights);
     double gain = 0.0;
     for (double share = 1.0; share > 1e-4 && gain <= 0.0; share *= 0.5) {
-      const Features next = withinBounds(weights - share * step);
+      const VectorXd next = withinBounds(weights - share * step, costs);
       gain = loss - objective.at(next);
       if (gain > 0.0) weights = next;
     }
@@ -152,15 +142,13 @@ Features fitRanking(const std::vector<CandidateList>& lists, const Features& pri
   return weights;
 }
 
-double topOne(const std::vector<CandidateList>& lists, const Features& weights) {
+double topOne(const std::vector<Choice>& choices, const VectorXd& weights) {
   double right = 0.0, n = 0.0;
-  for (const CandidateList& list : lists) {
-    if (!hasRight(list)) continue;
-    const auto best = std::max_element(list.candidates.begin(), list.candidates.end(),
-                                       [&](const Candidate& a, const Candidate& b) {
-                                         return weights.dot(a.features) < weights.dot(b.features);
-                                       });
-    right += best->at_truth ? 1.0 : 0.0;
+  for (const Choice& choice : choices) {
+    if (!hasRight(choice)) continue;
+    Index best = 0;
+    (choice.features * weights).maxCoeff(&best);
+    right += choice.right[static_cast<std::size_t>(best)] ? 1.0 : 0.0;
     n += 1.0;
   }
   return n > 0.0 ? right / n : 0.0;

@@ -218,7 +218,8 @@ TEST(MatchPreset, BuiltInPresetsAreTheFiles) {
     const MatchPreset built_in = loadPreset(name);
     EXPECT_EQ(built_in.metric.weights, file.metric.weights) << name;
     EXPECT_EQ(built_in.calibration.scale, file.calibration.scale) << name;
-    EXPECT_EQ(built_in.calibration.shares, file.calibration.shares) << name;
+    EXPECT_EQ(built_in.calibration.coefficients, file.calibration.coefficients) << name;
+    EXPECT_EQ(built_in.second_look.has_value(), file.second_look.has_value()) << name;
   }
 }
 
@@ -245,7 +246,17 @@ INSTANTIATE_TEST_SUITE_P(
                     "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
                     "calibration: {scale: 0, stranger: 1}",
                     "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, strangers: 1}"));
+                    "calibration: {scale: 0.1, strangers: 1}",
+                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1}\nsecond_look: 3",
+                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1}\nsecond_look: {first: 1}",
+                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1}\n"
+                    "second_look: {first: -1, inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}",
+                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1}\n"
+                    "second_look: {nearest: 1, inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}"));
 
 }  // namespace
 }  // namespace place_memory::config

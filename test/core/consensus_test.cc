@@ -10,7 +10,8 @@ constexpr double kCell = 0.14;
 TEST(FindConsensus, ALonePlaceIsChosenAndNothingContradictsIt) {
   const Consensus consensus = findConsensus({{7.0, 0.3, {1.0, 2.0, 0.0}}}, kCell);
   EXPECT_EQ(consensus.chosen, 0U);
-  EXPECT_EQ(consensus.runner_up, 0.0);
+  EXPECT_EQ(consensus.lead, 0.0);
+  EXPECT_EQ(consensus.prominence, 0.0);
 }
 
 TEST(FindConsensus, OfThoseThatAgreeTheNearestPlaceIsChosen) {
@@ -24,14 +25,14 @@ TEST(FindConsensus, APlaceThatPutsTheRobotElsewhereIsNotChosenAndCounts) {
   const Consensus consensus =
       findConsensus({{9.0, 0.9, {1.0, 2.0, 0.0}}, {8.0, 0.0, {5.0, 2.0, 0.0}}}, kCell);
   EXPECT_EQ(consensus.chosen, 0U);
-  EXPECT_EQ(consensus.runner_up, 8.0);
+  EXPECT_EQ(consensus.lead, 1.0);
 }
 
 TEST(FindConsensus, AnotherHeadingAtTheSameSpotContradicts) {
   const Consensus consensus =
       findConsensus({{9.0, 0.1, {1.0, 2.0, 0.0}}, {8.0, 0.0, {1.0, 2.0, kPi}}}, kCell);
   EXPECT_EQ(consensus.chosen, 0U);
-  EXPECT_EQ(consensus.runner_up, 8.0);
+  EXPECT_EQ(consensus.lead, 1.0);
 }
 
 TEST(FindConsensus, HeadingsAgreeAcrossTheHalfTurn) {
@@ -40,10 +41,21 @@ TEST(FindConsensus, HeadingsAgreeAcrossTheHalfTurn) {
   EXPECT_EQ(consensus.chosen, 1U);
 }
 
-TEST(FindConsensus, ARunnerUpBelowNothingIsNothing) {
+TEST(FindConsensus, TheLeadIsOverTheBestThatContradictsAndTheProminenceOverTheirMean) {
+  const Consensus consensus = findConsensus({{9.0, 0.1, {1.0, 2.0, 0.0}},
+                                             {8.5, 0.3, {1.1, 2.0, 0.0}},
+                                             {7.0, 0.0, {9.0, 2.0, 0.0}},
+                                             {3.0, 0.0, {1.0, 9.0, 0.0}}},
+                                            kCell);
+  EXPECT_EQ(consensus.lead, 2.0);
+  EXPECT_EQ(consensus.prominence, 4.0);
+}
+
+TEST(FindConsensus, WhereAllAgreeNoneIsLed) {
   const Consensus consensus =
-      findConsensus({{9.0, 0.1, {1.0, 2.0, 0.0}}, {-8.0, 0.0, {9.0, 2.0, 0.0}}}, kCell);
-  EXPECT_EQ(consensus.runner_up, 0.0);
+      findConsensus({{9.0, 0.1, {1.0, 2.0, 0.0}}, {8.5, 0.3, {1.1, 2.0, 0.0}}}, kCell);
+  EXPECT_EQ(consensus.lead, 0.0);
+  EXPECT_EQ(consensus.prominence, 0.0);
 }
 
 }  // namespace

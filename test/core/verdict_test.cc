@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace place_memory::core {
 namespace {
@@ -14,53 +16,75 @@ Recognition withScores(const std::vector<double>& scores) {
   return recognition;
 }
 
-const Agreement kGood{{{0.9, 0.0}, {0.0, 0.9}}};
-const Agreement kBad{{{0.3, 0.1}, {0.5, 0.1}}};
+std::size_t named(const std::string& name) {
+  std::size_t i = 0;
+  while (name != kSupportNames.at(i)) ++i;
+  return i;
+}
 
-Recognition judged(const std::vector<double>& scores, const Agreement& agreement,
+/// How well the scan and its best match agree, with this lead.
+Support support(double agreement, double lead) {
+  Support support{};
+  support[named("bias")] = 1.0;
+  support[named("empty_on_empty")] = support[named("occupied_on_occupied")] = agreement;
+  support[named("occupied_on_empty")] = 1.0 - agreement;
+  support[named("lead")] = std::log1p(lead);
+  return support;
+}
+
+Recognition judged(const std::vector<double>& scores, const Support& support,
                    const Calibration& calibration = {}) {
   Recognition recognition = withScores(scores);
-  const double runner_up = scores.size() > 1 ? scores[1] : 0.0;
-  judge(agreement, scores.front() - runner_up, calibration, 0.8, recognition);
+  judge(support, calibration, 0.8, recognition);
   return recognition;
 }
 
-TEST(AgreementOf, IsTheShareOfTheScansCells) {
-  const PairCounts own{{{100, 0, 0}, {0, 50, 0}, {0, 0, 20}}};
-  const PairCounts at{{{60, 30, 10}, {7, 8, 9}, {4, 1, 15}}};
-  const Agreement expected{{{0.6, 0.1}, {0.2, 0.75}}};
-  EXPECT_EQ(agreementOf(at, own), expected);
+const PairCounts kOwn{{{100, 0, 0}, {0, 50, 0}, {0, 0, 20}}};
+const PairCounts kAt{{{60, 30, 10}, {7, 8, 9}, {4, 1, 15}}};
+
+TEST(SupportOf, SharesAreThoseOfTheScansCells) {
+  CloseCounts closely;
+  closely.near = {16, 18, 0, 0, 0, 25, 0};
+  const Support found = supportOf(kAt, closely, kOwn, {0, 3.0, 5.0}, 4, 0.5);
+  EXPECT_EQ(found[named("bias")], 1.0);
+  EXPECT_EQ(found[named("empty_on_empty")], 0.6);
+  EXPECT_EQ(found[named("empty_on_occupied")], 0.1);
+  EXPECT_EQ(found[named("occupied_on_empty")], 0.2);
+  EXPECT_EQ(found[named("occupied_on_occupied")], 0.75);
+  EXPECT_EQ(found[named("occupied_within_one")], 0.8);
+  EXPECT_EQ(found[named("occupied_within_two")], 0.9);
+  EXPECT_EQ(found[named("empty_by_occupied")], 0.25);
+  EXPECT_DOUBLE_EQ(found[named("lead")], std::log1p(1.5));
+  EXPECT_EQ(found[named("prominence")], 2.5);
+  EXPECT_EQ(found[named("fewness")], 0.25);
 }
 
-TEST(AgreementOf, IsNothingWhereTheScanHasNoSuchCell) {
-  const PairCounts own{{{0, 0, 0}, {0, 4096, 0}, {0, 0, 0}}};
-  EXPECT_EQ(agreementOf(own, own), Agreement{});
+TEST(SupportOf, SharesAreNothingWhereTheScanHasNoSuchCell) {
+  const PairCounts unsensed{{{0, 0, 0}, {0, 4096, 0}, {0, 0, 0}}};
+  const Support found = supportOf(unsensed, {}, unsensed, {}, 2, 1.0);
+  for (const char* name : {"empty_on_empty", "occupied_on_occupied", "empty_by_occupied"}) {
+    EXPECT_EQ(found[named(name)], 0.0) << name;
+  }
 }
 
 TEST(Judge, WithoutPlacesIsUnknown) {
-  Recognition recognition;
-  judge(kGood, 0.0, {}, 0.8, recognition);
-  EXPECT_EQ(recognition.verdict, Verdict::kUnknown);
+  EXPECT_EQ(judged({}, support(0.9, 0.0)).verdict, Verdict::kUnknown);
 }
 
 TEST(Judge, AGoodMatchFarAheadIsRecognized) {
-  EXPECT_EQ(judged({40.0, 5.0}, kGood).verdict, Verdict::kRecognized);
+  EXPECT_EQ(judged({40.0, 5.0}, support(0.9, 35.0)).verdict, Verdict::kRecognized);
 }
 
 TEST(Judge, AGoodMatchWithACloseRunnerUpIsAmbiguous) {
-  EXPECT_EQ(judged({40.0, 39.9}, kGood).verdict, Verdict::kAmbiguous);
+  EXPECT_EQ(judged({40.0, 39.9}, support(0.9, 0.1)).verdict, Verdict::kAmbiguous);
 }
 
 TEST(Judge, ABadMatchIsUnknownHoweverFarAhead) {
-  EXPECT_EQ(judged({40.0, 5.0}, kBad).verdict, Verdict::kUnknown);
+  EXPECT_EQ(judged({40.0, 5.0}, support(0.3, 35.0)).verdict, Verdict::kUnknown);
 }
 
-TEST(Judge, ALonePlaceCompetesWithNothing) {
-  EXPECT_EQ(judged({40.0}, kGood).verdict, Verdict::kRecognized);
-}
-
-TEST(Judge, ProbabilitiesFallWithTheScoresAndSumToAtMostOne) {
-  const Recognition recognition = judged({12.0, 11.0, 10.5, 3.0, -40.0}, kGood);
+TEST(Judge, ProbabilitiesSumToAtMostOneAndTheOthersFallWithTheirScores) {
+  const Recognition recognition = judged({12.0, 11.0, 10.5, 3.0, -40.0}, support(0.9, 1.0));
   double all = 0.0;
   for (std::size_t i = 0; i < recognition.matches.size(); ++i) {
     const double p = recognition.matches[i].probability;
@@ -71,10 +95,23 @@ TEST(Judge, ProbabilitiesFallWithTheScoresAndSumToAtMostOne) {
   EXPECT_LE(all, 1.0 + 1e-12);
 }
 
+TEST(Judge, AChosenMatchMayScoreLessThanTheOthers) {
+  const Recognition recognition = judged({9.0, 900.0, 2000.0}, support(0.9, 2.0));
+  EXPECT_TRUE(std::isfinite(recognition.matches[1].probability));
+  EXPECT_GT(recognition.matches[2].probability, recognition.matches[1].probability);
+}
+
 TEST(Judge, TheOddsFollowTheStatedFormula) {
-  const Calibration calibration{0.5, -1.0, {{{0.3, -0.2}, {-0.4, 0.7}}}, 0.6, 0.25, 0.1};
-  const Recognition recognition = judged({9.0, 5.0}, kGood, calibration);
-  const double log_odds = -1.0 + 0.3 * 0.9 + 0.7 * 0.9 + 0.6 * std::log1p(0.5 * 4.0);
+  Calibration calibration;
+  calibration.scale = 0.5;
+  calibration.others = 0.25;
+  double log_odds = 0.0;
+  const Support given = support(0.9, 4.0);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    calibration.coefficients[i] = 0.1 * static_cast<double>(i) - 0.2;
+    log_odds += calibration.coefficients[i] * given[i];
+  }
+  const Recognition recognition = judged({9.0, 5.0}, given, calibration);
   const double p = 1.0 / (1.0 + std::exp(-log_odds));
   EXPECT_NEAR(recognition.matches[0].probability, p, 1e-12);
   EXPECT_NEAR(recognition.matches[1].probability, 0.25 * (1.0 - p), 1e-12);

@@ -2,35 +2,32 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+
+#include "training/candidates.h"
 
 namespace place_memory::training {
 namespace {
 
-/// Lists in which the candidate that scores best by `truth` plus noise is right.
-std::vector<CandidateList> drawLists(const Features& truth, unsigned seed, int count) {
+/// Choices in which the candidate that scores best by `truth` plus noise is right.
+std::vector<Choice> drawChoices(const Features& truth, unsigned seed, int count) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> feature(0.0, 1.0);
   std::extreme_value_distribution<double> noise(0.0, 1.0);
-  std::vector<CandidateList> lists(static_cast<std::size_t>(count));
-  for (CandidateList& list : lists) {
-    std::size_t best = 0;
-    double most = -1e9;
-    for (std::size_t i = 0; i < 8; ++i) {
-      Candidate candidate;
-      candidate.place = i;
-      for (double& f : candidate.features) f = feature(engine);
-      candidate.features.tail<2>() = candidate.features.tail<2>().cwiseAbs();
-      const double score = truth.dot(candidate.features) + noise(engine);
-      if (score > most) {
-        most = score;
-        best = i;
-      }
-      list.candidates.push_back(candidate);
-    }
-    list.candidates[best].right = list.candidates[best].at_truth = true;
+  std::vector<Choice> choices(static_cast<std::size_t>(count));
+  for (Choice& choice : choices) {
+    choice.features = Eigen::MatrixXd(8, kFeatures);
+    choice.features = choice.features.unaryExpr([&](double) { return feature(engine); });
+    choice.features.rightCols<2>() = choice.features.rightCols<2>().cwiseAbs();
+    Eigen::VectorXd scores = choice.features * truth;
+    for (double& score : scores) score += noise(engine);
+    Eigen::Index best = 0;
+    scores.maxCoeff(&best);
+    choice.right.assign(8, false);
+    choice.right[static_cast<std::size_t>(best)] = true;
   }
-  return lists;
+  return choices;
 }
 
 Features someTruth() {
@@ -41,19 +38,19 @@ Features someTruth() {
 
 TEST(FitRanking, FindsTheWeightsThatTheListsWereDrawnFrom) {
   const Features truth = someTruth();
-  const Features found = fitRanking(drawLists(truth, 1, 4000), Features::Zero(), 1e-6);
+  const Features found = fitRanking(drawChoices(truth, 1, 4000), Features::Zero(), 1e-6, kCosts);
   EXPECT_LT((found - truth).cwiseAbs().maxCoeff(), 0.15);
 }
 
 TEST(FitRanking, IsNoWorseThanAnyNeighbour) {
-  const std::vector<CandidateList> lists = drawLists(someTruth(), 2, 300);
-  const Features found = fitRanking(lists, Features::Zero(), 0.0);
-  const double loss = rankingLoss(lists, found);
+  const std::vector<Choice> choices = drawChoices(someTruth(), 2, 300);
+  const Features found = fitRanking(choices, Features::Zero(), 0.0, kCosts);
+  const double loss = rankingLoss(choices, found);
   for (Eigen::Index i = 0; i < kFeatures - 2; ++i) {
     for (const double by : {-0.05, 0.05}) {
       Features other = found;
       other[i] += by;
-      EXPECT_GE(rankingLoss(lists, other), loss - 1e-6) << i;
+      EXPECT_GE(rankingLoss(choices, other), loss - 1e-6) << i;
     }
   }
 }
@@ -61,19 +58,63 @@ TEST(FitRanking, IsNoWorseThanAnyNeighbour) {
 TEST(FitRanking, CostsOfTheTransformStayCosts) {
   Features truth = someTruth();
   truth.tail<2>() << 0.8, 0.9;
-  const Features found = fitRanking(drawLists(truth, 3, 1000), Features::Zero(), 1e-6);
+  const Features found = fitRanking(drawChoices(truth, 3, 1000), Features::Zero(), 1e-6, kCosts);
   EXPECT_LE(found[9], 0.0);
   EXPECT_LE(found[10], 0.0);
 }
 
-TEST(FitRanking, ListsWithoutARightPlaceDoNotCount) {
-  std::vector<CandidateList> lists = drawLists(someTruth(), 4, 50);
-  const double loss = rankingLoss(lists, someTruth());
-  const double share = topOne(lists, someTruth());
-  lists.push_back(lists.front());
-  for (Candidate& candidate : lists.back().candidates) candidate.right = candidate.at_truth = false;
-  EXPECT_DOUBLE_EQ(rankingLoss(lists, someTruth()), loss);
-  EXPECT_DOUBLE_EQ(topOne(lists, someTruth()), share);
+TEST(FitRanking, ChoicesWithoutARightCandidateDoNotCount) {
+  std::vector<Choice> choices = drawChoices(someTruth(), 4, 50);
+  const double loss = rankingLoss(choices, someTruth());
+  const double share = topOne(choices, someTruth());
+  choices.push_back(choices.front());
+  choices.back().right.assign(8, false);
+  EXPECT_DOUBLE_EQ(rankingLoss(choices, someTruth()), loss);
+  EXPECT_DOUBLE_EQ(topOne(choices, someTruth()), share);
+}
+
+CandidateList someList() {
+  CandidateList list;
+  for (std::size_t i = 0; i < 15; ++i) {
+    Candidate candidate;
+    candidate.place = i;
+    candidate.features[8] = static_cast<double>(i);
+    candidate.closely.inner[0][2] = static_cast<int>(i) + 100;
+    candidate.closely.near[6] = static_cast<int>(i) + 200;
+    candidate.at_truth = i == 12;
+    list.candidates.push_back(candidate);
+  }
+  return list;
+}
+
+TEST(SecondChoices, AreAmongTheBestOfTheFirstLook) {
+  Features weights = Features::Zero();
+  weights[8] = 2.0;
+  const Choice choice = secondChoices({someList()}, weights).front();
+  ASSERT_EQ(choice.features.rows(), static_cast<Eigen::Index>(core::kLookedAtAgain));
+  EXPECT_EQ(choice.features(0, 0), 28.0);
+  EXPECT_EQ(choice.features(2, 3), 112.0);
+  EXPECT_EQ(choice.features(2, 16), 212.0);
+  EXPECT_TRUE(choice.right[2]);
+  EXPECT_EQ(std::count(choice.right.begin(), choice.right.end(), true), 1);
+}
+
+TEST(SecondChoices, ScoreAsTheRecognizerScores) {
+  Features weights = Features::Zero();
+  weights[8] = 2.0;
+  core::SecondLook look;
+  look.first = 0.5;
+  look.inner[0][2] = 0.25;
+  look.near[6] = -0.125;
+  const CandidateList list = someList();
+  const Choice choice = secondChoices({list}, weights).front();
+  EXPECT_DOUBLE_EQ((choice.features * asWeights(look))[0],
+                   core::scoreAgain(28.0, list.candidates[14].closely, look));
+}
+
+TEST(AsSecondLook, IsTheInverseOfAsWeights) {
+  const Eigen::VectorXd weights = Eigen::VectorXd::LinSpaced(17, 0.5, 8.5);
+  EXPECT_EQ(asWeights(asSecondLook(weights)), weights);
 }
 
 TEST(AsMetric, IsTheInverseOfAsWeights) {

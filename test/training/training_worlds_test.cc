@@ -33,7 +33,8 @@ TEST(Strangers, HaveNoRightPlaceAndNoneNear) {
 
 TEST(FitCalibration, TellsKnownScansFromStrangersBetterThanChance) {
   const core::SonarModel model{{}};
-  const auto metric = config::loadPreset("evidence").metric;
+  const config::MatchPreset preset = config::loadPreset("evidence");
+  const core::MatchMetric& metric = preset.metric;
   std::vector<CandidateList> known, strangers;
   for (const std::uint64_t seed : {2U, 3U, 4U}) {
     const trials::TrialSet set = trainingSet(seed);
@@ -42,7 +43,7 @@ TEST(FitCalibration, TellsKnownScansFromStrangersBetterThanChance) {
     known.insert(known.end(), lists.begin(), lists.end());
     strangers.insert(strangers.end(), without.begin(), without.end());
   }
-  const Features weights = asWeights(metric);
+  const RankingWeights weights{asWeights(metric), preset.second_look};
   const core::Calibration calibration = fitCalibration(known, strangers, weights);
   const CalibrationReport report = reportCalibration(known, strangers, weights, calibration, 0.6);
   EXPECT_GT(report.recognized, report.accepted);
@@ -54,16 +55,35 @@ TEST(WritePreset, IsReadBackAsItWas) {
   preset.metric.weights = {{{0.5, -1.25, 2.0}, {0.0, 0.125, -3.0}, {4.0, -5.5, 6.0}}};
   preset.metric.shift_cost = 1.5;
   preset.metric.turn_cost = 2.5;
-  preset.calibration = {0.5, -1.0, {{{0.25, -0.5}, {-0.75, 2.0}}}, 1.25, 0.125, 0.0625};
+  core::SecondLook look;
+  look.first = 0.75;
+  look.inner = {{{3.5, -2.25, 1.0}, {0.5, 0.25, -6.0}, {8.0, -0.5, 16.0}}};
+  look.near = {1.0, -2.0, 4.0, -8.0, 0.5, 0.25, -0.125};
+  preset.second_look = look;
+  preset.calibration.scale = 0.5;
+  preset.calibration.coefficients = {-1.0, 0.25, -0.5, -0.75, 2.0, 3.0, 4.0, 5.0, 1.25, 0.5, -8.0};
+  preset.calibration.others = 0.125;
+  preset.calibration.sharpness = 0.0625;
   const std::string path = testing::TempDir() + "preset.yaml";
   writePreset(path, "Written by a test.", preset);
   const config::MatchPreset read = config::loadPreset(path);
   EXPECT_EQ(read.metric.weights, preset.metric.weights);
   EXPECT_EQ(read.metric.shift_cost, 1.5);
   EXPECT_EQ(read.metric.turn_cost, 2.5);
-  EXPECT_EQ(read.calibration.shares, preset.calibration.shares);
+  ASSERT_TRUE(read.second_look);
+  EXPECT_EQ(read.second_look->first, 0.75);
+  EXPECT_EQ(read.second_look->inner, look.inner);
+  EXPECT_EQ(read.second_look->near, look.near);
+  EXPECT_EQ(read.calibration.scale, 0.5);
+  EXPECT_EQ(read.calibration.coefficients, preset.calibration.coefficients);
   EXPECT_EQ(read.calibration.sharpness, 0.0625);
   EXPECT_EQ(read.calibration.others, 0.125);
+}
+
+TEST(WritePreset, WithoutASecondLookThereIsNone) {
+  const std::string path = testing::TempDir() + "one_look.yaml";
+  writePreset(path, "Written by a test.", {});
+  EXPECT_FALSE(config::loadPreset(path).second_look);
 }
 
 TEST(WritePreset, AnUnwritablePathIsAnError) {

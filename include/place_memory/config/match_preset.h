@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_CONFIG_MATCH_PRESET_H
 #define PLACE_MEMORY_CONFIG_MATCH_PRESET_H
 
+#include <optional>
 #include <string>
 
 #include "place_memory/config/parameter_error.h"
@@ -11,6 +12,7 @@ namespace place_memory::config {
 /// What was fitted together, and is chosen together by `match/preset`.
 struct MatchPreset {
   core::MatchMetric metric;
+  std::optional<core::SecondLook> second_look;
   core::Calibration calibration;
 };
 

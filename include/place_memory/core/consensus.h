@@ -18,7 +18,10 @@ struct Opinion {
 /// What the opinions, best score first, come to.
 struct Consensus {
   std::size_t chosen = 0;
-  double runner_up = 0.0;  ///< best score of those that contradict the chosen one, at least 0
+  /// What the best scores above the best of those that contradict it, and above the mean of them;
+  /// both at least 0, and 0 where none contradicts it.
+  double lead = 0.0;
+  double prominence = 0.0;
 };
 
 /// Neighbouring places see the same walls, so several may align rightly with one scan. Those that

@@ -1,7 +1,10 @@
 #ifndef PLACE_MEMORY_CORE_RECOGNIZER_OPTIONS_H
 #define PLACE_MEMORY_CORE_RECOGNIZER_OPTIONS_H
 
+#include <optional>
+
 #include "place_memory/core/match_metric.h"
+#include "place_memory/core/second_look.h"
 #include "place_memory/core/verdict.h"
 
 namespace place_memory::core {
@@ -17,6 +20,7 @@ enum class SearchMethod {
 struct RecognizerOptions {
   SearchMethod method = SearchMethod::kRestarts;
   MatchMetric metric;
+  std::optional<SecondLook> second_look;  ///< at the places that score best; none: one look
   Calibration calibration;
   double position_window = 1.2;  ///< largest shift sought along x and along y [m], > 0
   double confidence = 0.8;       ///< probability from which a place is RECOGNIZED, in (0.5, 1)

@@ -2,28 +2,43 @@
 #define PLACE_MEMORY_CORE_VERDICT_H
 
 #include <array>
+#include <cstddef>
 
+#include "place_memory/core/consensus.h"
 #include "place_memory/core/pair_metric.h"
 #include "place_memory/core/recognition.h"
+#include "place_memory/core/second_look.h"
 
 namespace place_memory::core {
 
-/// Of the scan's empty and occupied cells (rows), the shares that fall on empty and on occupied
-/// cells of the learned grid (columns); each in [0, 1], 0 where the scan has no such cell.
-using Agreement = std::array<std::array<double, 2>, 2>;
+/// What speaks for the best match and against it, as the calibration's coefficients take it. Names
+/// of coefficients in preset files.
+constexpr std::array<const char*, 11> kSupportNames{
+    "bias",                  // 1
+    "empty_on_empty",        // share of the scan's empty cells that fall on learned empty ones
+    "empty_on_occupied",     // likewise on occupied ones
+    "occupied_on_empty",     // share of the scan's occupied cells that fall on learned empty ones
+    "occupied_on_occupied",  // likewise on occupied ones
+    "occupied_within_one",   // likewise up to one cell from occupied ones
+    "occupied_within_two",   // up to two cells
+    "empty_by_occupied",     // share of the empty cells up to one cell from learned occupied ones
+    "lead",                  // log(1 + scale * Consensus::lead)
+    "prominence",            // scale * Consensus::prominence
+    "fewness",               // 1 / number of places: a lead over few says little
+};
+using Support = std::array<double, kSupportNames.size()>;
 
-/// `at`: the pairs at the alignment; `own`: those of the scan with itself.
-Agreement agreementOf(const PairCounts& at, const PairCounts& own);
+/// `at` and `closely`: the counts at the best alignment; `own`: the pairs of the scan with itself.
+/// Shares are 0 where the scan has no such cell.
+Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCounts& own,
+                  const Consensus& consensus, std::size_t places, double scale);
 
-/// From scores to probabilities. The log odds that the best match is right are
-///   bias + sum of agreement * shares + margin * log(1 + scale * (best - runner-up)).
-/// What is left of the probability goes by `others` to the other places, in proportion to
-/// exp(scale * score).
+/// From scores to probabilities. The log odds that the best match is right are the sum of
+/// coefficients times support. What is left of the probability goes by `others` to the other
+/// places, in proportion to exp(scale * score).
 struct Calibration {
   double scale = 1.0;  ///< [1 / score], > 0
-  double bias = -6.0;
-  Agreement shares{{{2.0, -5.0}, {-5.0, 5.0}}};
-  double margin = 1.0;  ///< >= 0
+  Support coefficients{-6.0, 2.0, -5.0, -5.0, 5.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
   double others = 0.5;  ///< share, in [0, 1]
   /// How sharply a pose's likelihood falls with its score, for the pose's covariance [1 / score],
   /// >= 0.
@@ -31,11 +46,10 @@ struct Calibration {
 };
 
 /// Sets the probabilities of the matches, which are ranked, and the verdict: RECOGNIZED where the
-/// best has at least `confidence`; AMBIGUOUS where it would have it if the runner-up scored
-/// nothing; else UNKNOWN. `agreement` is that of the best match, `lead` what it scores above the
-/// best one that contradicts it.
-void judge(const Agreement& agreement, double lead, const Calibration& calibration,
-           double confidence, Recognition& recognition);
+/// best has at least `confidence`; AMBIGUOUS where it would have it if no other place came near it;
+/// else UNKNOWN.
+void judge(const Support& support, const Calibration& calibration, double confidence,
+           Recognition& recognition);
 
 }  // namespace place_memory::core
 

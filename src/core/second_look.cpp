@@ -1,0 +1,108 @@
+#include "place_memory/core/second_look.h"
+
+#include <algorithm>
+
+namespace place_memory::core {
+namespace {
+
+constexpr double kInnerRadius = 9.0;  ///< [cells]
+
+BitPlane innerDisc() {
+  constexpr double kMiddle = 0.5 * (kGridSize - 1);
+  BitPlane disc{};
+  for (int row = 0; row < kGridSize; ++row) {
+    for (int column = 0; column < kGridSize; ++column) {
+      const double x = column - kMiddle, y = row - kMiddle;
+      if (x * x + y * y > kInnerRadius * kInnerRadius) continue;
+      disc[static_cast<std::size_t>(row)] |= std::uint64_t{1} << column;
+    }
+  }
+  return disc;
+}
+
+BitPlane shifted(const BitPlane& plane, CellShift shift) {
+  BitPlane moved{};
+  const int first = std::max(0, shift.rows);
+  const int last = std::min(kGridSize, kGridSize + shift.rows);
+  for (int row = first; row < last; ++row) {
+    const std::uint64_t from = plane[static_cast<std::size_t>(row - shift.rows)];
+    moved[static_cast<std::size_t>(row)] =
+        shift.columns >= 0 ? from << shift.columns : from >> -shift.columns;
+  }
+  return moved;
+}
+
+/// With the eight neighbours of every cell.
+BitPlane widened(const BitPlane& plane) {
+  BitPlane wide{};
+  for (std::size_t row = 0; row < kGridSize; ++row) {
+    std::uint64_t column = plane[row];
+    if (row > 0) column |= plane[row - 1];
+    if (row + 1 < kGridSize) column |= plane[row + 1];
+    wide[row] = column | column << 1 | column >> 1;
+  }
+  return wide;
+}
+
+int countBoth(const BitPlane& a, const BitPlane& b) {
+  int cells = 0;
+  for (std::size_t row = 0; row < kGridSize; ++row) cells += __builtin_popcountll(a[row] & b[row]);
+  return cells;
+}
+
+PairCounts pairsInside(const BitPlane& disc, const CellPlanes& scan, const CellPlanes& learned) {
+  PairCounts counts{};
+  for (std::size_t row = 0; row < kGridSize; ++row) {
+    const std::uint64_t cells = disc[row];
+    const auto classes = [&](const CellPlanes& planes) {
+      const std::uint64_t empty = planes.empty[row] & cells;
+      const std::uint64_t occupied = planes.occupied[row] & cells;
+      return std::array<std::uint64_t, kCellClasses>{empty, cells & ~empty & ~occupied, occupied};
+    };
+    const auto of_scan = classes(scan), of_learned = classes(learned);
+    for (std::size_t r = 0; r < kCellClasses; ++r) {
+      for (std::size_t l = 0; l < kCellClasses; ++l) {
+        counts[r][l] += __builtin_popcountll(of_scan[r] & of_learned[l]);
+      }
+    }
+  }
+  return counts;
+}
+
+}  // namespace
+
+CloseCounts countClosely(const CellPlanes& recognition, CellShift shift,
+                         const CellPlanes& learned) {
+  static const BitPlane kInner = innerDisc();
+  CellPlanes scan;
+  scan.occupied = shifted(recognition.occupied, shift);
+  scan.empty = shifted(recognition.empty, shift);
+  const BitPlane scan_one = widened(scan.occupied), scan_two = widened(scan_one);
+  const BitPlane learned_one = widened(learned.occupied), learned_two = widened(learned_one);
+  CloseCounts counts;
+  counts.inner = pairsInside(kInner, scan, learned);
+  counts.near = {countBoth(scan.occupied, learned_one), countBoth(scan.occupied, learned_two),
+                 countBoth(scan_one, learned.occupied), countBoth(scan_two, learned.occupied),
+                 countBoth(scan_one, learned_one),      countBoth(scan.empty, learned_one),
+                 countBoth(scan_one, learned.empty)};
+  return counts;
+}
+
+double scoreAgain(double first_score, const CloseCounts& counts, const SecondLook& look) {
+  double score = look.first * first_score + pairScore(counts.inner, look.inner);
+  for (std::size_t i = 0; i < kNearCells; ++i) score += counts.near[i] * look.near[i];
+  return score;
+}
+
+std::vector<double> combineLooks(const std::vector<double>& first,
+                                 const std::vector<double>& again) {
+  std::vector<double> scores = again;
+  const double last = first[again.size() - 1];
+  const double least = *std::min_element(again.begin(), again.end());
+  for (std::size_t i = again.size(); i < first.size(); ++i) {
+    scores.push_back(least + first[i] - last);
+  }
+  return scores;
+}
+
+}  // namespace place_memory::core
