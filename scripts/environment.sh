@@ -24,3 +24,19 @@ use_local_ros() {
   export ROS_HOME=$1/ros_home
   export ROS_LOG_DIR=$ROS_HOME/log
 }
+
+# free_port: prints the usual port of a ROS master, or a free one where that is taken.
+free_port() {
+  /usr/bin/python3 - <<'PYTHON'
+import socket
+for port in (11311, 0):
+    with socket.socket() as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind(("", port))
+        except OSError:
+            continue
+        print(probe.getsockname()[1])
+        break
+PYTHON
+}
