@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include "clock_rate.h"
+#include "cycle_counter.h"
 #include "place_memory/core/alignment_search.h"
 #include "place_memory/core/sonar_model.h"
 #include "setting.h"
@@ -9,22 +9,6 @@ namespace place_memory::measure {
 namespace {
 
 using ::benchmark::State;
-
-/// What a second of the timed loop is in cycles, by the counter `name` per iteration.
-class CycleCounter {
- public:
-  CycleCounter(State& state, const std::string& name) : state_(state), name_(name) {}
-  ~CycleCounter() {
-    using ::benchmark::Counter;
-    state_.counters[name_] =
-        Counter(1.0 / rate_, Counter::kIsIterationInvariantRate | Counter::kInvert);
-  }
-
- private:
-  State& state_;
-  std::string name_;
-  double rate_ = cyclesPerSecond();
-};
 
 /// One transform of one place, as a search of a few transforms has it.
 void onePair(State& state, Setting& setting) {
@@ -38,7 +22,7 @@ void onePair(State& state, Setting& setting) {
                                                      window, query.scan.grid.geometry().cell_size);
   const core::QueryPlanes planes(query.scan.grid, core::kHeadingStep, window.turns);
   const core::CellPlanes place(setting.simulated().places.front().grid);
-  CycleCounter cycles(state, "cycles");
+  const CycleCounter cycles(state);
   int shift = -window.cells;
   for ([[maybe_unused]] auto _ : state) {
     ::benchmark::DoNotOptimize(core::scoreAt(planes, place, metric, {shift, -shift}, shift));

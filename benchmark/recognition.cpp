@@ -17,10 +17,10 @@ constexpr std::size_t kSizes[] = {21, 47, 1000, 10000, 100000, 1000000};
 constexpr std::size_t kMaxYardstick = 1000;
 
 /// Seconds for a place that queries are planned with; they need to be right within a factor of ten.
-constexpr double kSecondsLocal = 2e-5;
+constexpr double kSecondsLocal = 1e-6;
 constexpr double kSecondsYardstick = 5e-4;
 constexpr double kSecondsFull = 1e-4;
-constexpr double kMoreForAnyHeading = 8.0;
+constexpr double kMoreForAnyHeading = 4.0;
 
 double headingWindow(const Setting& setting, bool any_heading) {
   return any_heading ? core::kPi : setting.parameters().match.heading_window;

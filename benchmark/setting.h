@@ -50,6 +50,7 @@ std::string benchmarkName(const std::string& what, bool any_heading, std::size_t
 void writeStore(const std::string& path, const SyntheticMemory& memory);
 
 // Each registers the benchmarks of one file; the setting has to outlive them.
+void registerKernels(Setting& setting);
 void registerParts(Setting& setting);
 void registerRecognition(Setting& setting);
 void registerStrangers(Setting& setting);
