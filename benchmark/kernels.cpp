@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "block_kernel.h"
+#include "core/block_kernel.h"
 #include "cycle_counter.h"
 #include "place_memory/core/lattice.h"
 #include "place_memory/core/query_planes.h"
