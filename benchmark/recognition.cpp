@@ -130,7 +130,8 @@ void add(const std::string& name, Run run, Setting& setting, std::size_t size, b
       [=, &setting](State& state) { run(state, setting, size, any_heading); })
       ->Iterations(static_cast<::benchmark::IterationCount>(queries))
       ->Unit(::benchmark::kMillisecond)
-      ->UseRealTime();
+      ->UseRealTime()
+      ->MeasureProcessCPUTime();
 }
 
 }  // namespace

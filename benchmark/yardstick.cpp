@@ -10,10 +10,11 @@ using core::kGridSize;
 using core::kPi;
 using core::Pose2d;
 
-constexpr double kFirstStep = 4.0;                // [cells] and [heading steps], halved down to one
-constexpr double kHeadingStep = kPi * 3 / 180.0;  // the recognizer's [rad]
-constexpr double kWindow = 1.2;                   // [m]
-constexpr double kHeadingWindow = kPi / 4.0;      // [rad]
+constexpr double kWindow = 1.2;               // [m]
+constexpr double kHeadingWindow = kPi / 4.0;  // [rad]
+/// Steps of the first climb; each later one has half of them, down to half a cell.
+constexpr double kFirstStep = 0.5 * kWindow;         // [m]
+constexpr double kFirstTurn = 0.5 * kHeadingWindow;  // [rad]
 constexpr int kRestarts = 8;
 
 class Climb {
@@ -23,8 +24,9 @@ class Climb {
 
   YardstickMatch from(double yaw) {
     YardstickMatch best = evaluate({0.0, 0.0, yaw});
-    for (double step = kFirstStep; step >= 1.0; step /= 2.0) {
-      while (improve(step, best)) {
+    double turn = kFirstTurn;
+    for (double step = kFirstStep; step >= 0.5 * cell_size_; step /= 2.0, turn /= 2.0) {
+      while (improve(step, turn, best)) {
       }
     }
     best.evaluations = evaluations_;
@@ -58,15 +60,15 @@ class Climb {
     return {pose, score, 0};
   }
 
-  bool improve(double step, YardstickMatch& best) {
+  bool improve(double step, double turn, YardstickMatch& best) {
     const YardstickMatch from = best;
-    for (const double by : {-step, step}) {
+    for (const double sign : {-1.0, 1.0}) {
       const Pose2d& at = from.place_from_scan;
-      const Pose2d next[] = {{at.x + by * cell_size_, at.y, at.yaw},
-                             {at.x, at.y + by * cell_size_, at.yaw},
-                             {at.x, at.y, core::wrapAngle(at.yaw + by * kHeadingStep)}};
+      const Pose2d next[] = {{at.x + sign * step, at.y, at.yaw},
+                             {at.x, at.y + sign * step, at.yaw},
+                             {at.x, at.y, core::wrapAngle(at.yaw + sign * turn)}};
       for (const Pose2d& pose : next) {
-        if (std::max(std::abs(pose.x), std::abs(pose.y)) > kWindow + 0.5 * cell_size_) continue;
+        if (std::max(std::abs(pose.x), std::abs(pose.y)) > kWindow + 1e-6) continue;
         if (!any_heading_ && std::abs(pose.yaw) > kHeadingWindow + 1e-6) continue;
         const YardstickMatch found = evaluate(pose);
         if (found.score > best.score) best = found;

@@ -6,8 +6,8 @@ SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
 class Results:
-    """Measurements by the names of benchmarks, as "recognition/local/1000": `seconds` an iteration,
-    and every counter. Where a benchmark was repeated, medians."""
+    """Measurements by the names of benchmarks, as "recognition/local/1000": `seconds` and
+    `cpu_seconds` an iteration, and every counter. Where a benchmark was repeated, medians."""
 
     def __init__(self, path):
         with open(path) as file:
@@ -19,11 +19,12 @@ class Results:
                 continue
             if row.get("error_occurred"):
                 continue
-            name = row["run_name"].split("/iterations:")[0].split("/real_time")[0]
+            name = row["run_name"].split("/iterations:")[0].split("/process_time")[0]
             if name in self._rows and row["run_type"] != "aggregate":
                 continue
-            seconds = row["real_time"] * SECONDS[row["time_unit"]]
-            self._rows[name] = dict(row, seconds=seconds)
+            unit = SECONDS[row["time_unit"]]
+            self._rows[name] = dict(row, seconds=unit * row["real_time"],
+                                    cpu_seconds=unit * row["cpu_time"])
 
     def get(self, name, what="seconds"):
         """None where it was not measured."""
