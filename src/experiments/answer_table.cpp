@@ -1,21 +1,6 @@
 #include "experiments/answer_table.h"
 
 namespace place_memory::experiments {
-namespace {
-
-const char* toString(core::Verdict verdict) {
-  switch (verdict) {
-    case core::Verdict::kRecognized:
-      return "recognized";
-    case core::Verdict::kAmbiguous:
-      return "ambiguous";
-    case core::Verdict::kUnknown:
-      return "unknown";
-  }
-  return "";
-}
-
-}  // namespace
 
 Table answerTable(const std::vector<Outcome>& outcomes) {
   Table table({"experiment", "case", "method", "seed", "known", "stranger", "expected", "given",
@@ -25,9 +10,10 @@ Table answerTable(const std::vector<Outcome>& outcomes) {
     for (const Answer& answer : outcome.answers) {
       table.add({outcome.experiment->group, outcome.experiment->name, outcome.method->name,
                  std::to_string(answer.seed), answer.known ? "1" : "0", answer.stranger ? "1" : "0",
-                 answer.expected, answer.given, answer.right ? "1" : "0", toString(answer.verdict),
-                 fixed(answer.probability, 6), fixed(answer.position_error, 4),
-                 fixed(answer.heading_error, 4), fixed(answer.normalised_error, 4)});
+                 answer.expected, answer.given, answer.right ? "1" : "0",
+                 core::nameOf(answer.verdict), fixed(answer.probability, 6),
+                 fixed(answer.position_error, 4), fixed(answer.heading_error, 4),
+                 fixed(answer.normalised_error, 4)});
     }
   }
   return table;

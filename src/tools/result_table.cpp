@@ -8,18 +8,6 @@
 namespace place_memory::tools {
 namespace {
 
-std::string toString(core::Verdict verdict) {
-  switch (verdict) {
-    case core::Verdict::kRecognized:
-      return "recognized";
-    case core::Verdict::kAmbiguous:
-      return "ambiguous";
-    case core::Verdict::kUnknown:
-      return "unknown";
-  }
-  return {};
-}
-
 std::string toString(core::PlaceMemoryError::Reason reason) {
   using Reason = core::PlaceMemoryError::Reason;
   switch (reason) {
@@ -60,7 +48,7 @@ Result recognize(const Event& event, const core::Scan& scan, core::PlaceMemory& 
   const core::LabelledRecognition answer = memory.recognize(scan, event.heading_window);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - before;
   result.match_ms = took.count();
-  result.verdict = toString(answer.recognition.verdict);
+  result.verdict = core::nameOf(answer.recognition.verdict);
   if (answer.recognition.matches.empty()) return result;
   const core::PlaceMatch& best = answer.recognition.matches.front();
   result.place = answer.labels.front();

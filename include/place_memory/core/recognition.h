@@ -16,6 +16,12 @@ enum class Verdict {
   kRecognized,  ///< the best match is the place
 };
 
+/// "unknown", "ambiguous" or "recognized", as tables have it.
+constexpr const char* nameOf(Verdict verdict) {
+  constexpr std::array<const char*, 3> kNames{"unknown", "ambiguous", "recognized"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
 /// How well one place fits a scan.
 struct PlaceMatch {
   PlaceId id = kNoPlace;
