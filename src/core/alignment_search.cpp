@@ -1,5 +1,6 @@
 #include "place_memory/core/alignment_search.h"
 
+#include "coarse_planes.h"
 #include "restarts.h"
 
 namespace place_memory::core {
@@ -19,12 +20,12 @@ Alignment exhaustive(const Climber& climber, const SearchWindow& window) {
   return best;
 }
 
-Alignment restarts(const Climber& climber, const QueryPlanes& query, const CellPlanes& learned,
+Alignment restarts(Climber& climber, const QueryPlanes& query, const CellPlanes& learned,
                    const LatticeMetric& metric, const SearchWindow& window) {
   WorkerPool alone(1);
   const StartLattice lattice(query, FixedMetric(metric), window, kCloseLook, alone);
   std::vector<QueryRow> rows(lattice.rows());
-  kCloseLook.coarsen(learned, rows.data());
+  coarsen(learned, rows.data());
   std::vector<BlockRow> places(lattice.rows());
   for (std::size_t row = 0; row < rows.size(); ++row) {
     places[row].occupied[0] = rows[row].occupied;
@@ -32,7 +33,7 @@ Alignment restarts(const Climber& climber, const QueryPlanes& query, const CellP
   }
   std::vector<BlockScores> scores;
   lattice.score(places.data(), scores);
-  return climbFromPeaks(climber, lattice, scores, 0);
+  return settle(climber, climbFromPeaks(climber, lattice, scores, 0));
 }
 
 }  // namespace
@@ -46,12 +47,13 @@ double scoreAt(const QueryPlanes& query, const CellPlanes& learned, const Lattic
 Alignment findAlignment(const QueryPlanes& query, const CellPlanes& learned,
                         const LatticeMetric& metric, const SearchWindow& window,
                         SearchMethod method) {
-  const Climber climber(query, learned, metric, window);
+  Climber climber(query, learned, metric, window);
   switch (method) {
     case SearchMethod::kNearestNeighbour:
       return climber.evaluate({0, 0}, 0);
     case SearchMethod::kHillClimbing:
-      return climber.climb(climber.evaluate({0, 0}, 0), kFirstStep);
+      climbOnce(climber);
+      return climber.summits().front();
     case SearchMethod::kRestarts:
       return restarts(climber, query, learned, metric, window);
     case SearchMethod::kExhaustive:

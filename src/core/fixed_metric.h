@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "block_kernel.h"
+#include "linear_metric.h"
 #include "place_memory/core/lattice.h"
 #include "place_memory/core/place_block.h"
 #include "place_memory/core/query_planes.h"
@@ -16,11 +17,9 @@ struct PairShares {
   double empty_occupied, empty_empty;
 };
 
-/// A LatticeMetric in fixed point, so that sums do not depend on their order or on the processor.
-///
-/// All nine counts of pairs follow from the four of sensed cells on sensed ones and from how many
-/// cells each grid has of each class, so a score is the points of those four, plus what belongs to
-/// the transform, plus what belongs to the place.
+/// A LatticeMetric in fixed point, so that sums do not depend on their order or on the processor: a
+/// score is the points of pairs of sensed cells, plus what belongs to the transform, plus what
+/// belongs to the place.
 class FixedMetric {
  public:
   explicit FixedMetric(const LatticeMetric& metric);
@@ -37,7 +36,7 @@ class FixedMetric {
   std::int64_t fixed(double points) const;
 
   LatticeMetric metric_;
-  PairShares points_;  ///< of the four kinds of pairs, beside what the totals earn
+  LinearMetric linear_;
   double scale_ = 1.0;
 };
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "restarts.h"
-
 namespace place_memory::core {
 namespace {
 
@@ -15,6 +13,9 @@ constexpr double kCloseGrowth = 0.8;
 /// Likewise those that are climbed for: all of so few.
 constexpr double kLeastClimbed = 64.0;
 constexpr double kClimbedGrowth = 0.6;
+
+/// So many of the first are settled: the order of the others matters less.
+constexpr std::size_t kSurelySettled = 12;
 
 std::size_t partOf(std::size_t places, double least, double growth) {
   const double times = std::max(1.0, static_cast<double>(places) / kAllClose);
@@ -80,12 +81,12 @@ std::vector<PlaceAlignment> RestartSearch::run() const {
   }
   const std::size_t unclimbed = ranked.size();
   for (Glimpse* glimpse = seen.data(); glimpse != best_end; ++glimpse) {
-    ranked.push_back({*glimpse, false, {}});
+    ranked.push_back({*glimpse, {}, {}, false});
   }
   std::vector<Ranked*> to_climb;
   for (std::size_t i = unclimbed; i < ranked.size(); ++i) to_climb.push_back(&ranked[i]);
   climb(lattice, to_climb);
-  settle(lattice, ranked);
+  finish(lattice, ranked);
 
   if (ranked.size() > kMostRanked) ranked.resize(kMostRanked);
   std::vector<PlaceAlignment> answer;
@@ -100,7 +101,7 @@ void RestartSearch::rankUnclimbed(const StartLattice& lattice, const Glimpse* be
   for (const Glimpse* glimpse = begin; glimpse != end; ++glimpse) {
     Alignment at = lattice.start(glimpse->start);
     at.score = scoreAt(query_, looks_.cellsOf(glimpse->place), metric_, at.shift, at.turn);
-    ranked.push_back({*glimpse, false, at});
+    ranked.push_back({*glimpse, at, {}, false});
   }
 }
 
@@ -115,26 +116,41 @@ void RestartSearch::climb(const StartLattice& lattice, const std::vector<Ranked*
     for (std::size_t i = 0; i < count; ++i) {
       Ranked& place = *places[first + i];
       const CellPlanes cells = looks_.cellsOf(place.glimpse.place);
-      const Climber climber(query_, cells, metric_, window_);
-      place.alignment = climbFromPeaks(climber, lattice, scores, i);
-      place.climbed = true;
+      Climber climber(query_, cells, metric_, window_);
+      place.summits = climbFromPeaks(climber, lattice, scores, i);
+      place.alignment = place.summits.front();
     }
   };
   pool_.run((places.size() + kBlockPlaces - 1) / kBlockPlaces, climbTogether, poll_);
 }
 
-void RestartSearch::settle(const StartLattice& lattice, std::vector<Ranked>& ranked) const {
+void RestartSearch::settleSummits(const std::vector<Ranked*>& places) const {
+  const auto settleOne = [&](std::size_t i) {
+    const CellPlanes cells = looks_.cellsOf(places[i]->glimpse.place);
+    Climber climber(query_, cells, metric_, window_);
+    places[i]->alignment = settle(climber, places[i]->summits);
+    places[i]->settled = true;
+  };
+  pool_.run(places.size(), settleOne, poll_);
+}
+
+void RestartSearch::finish(const StartLattice& lattice, std::vector<Ranked>& ranked) const {
   for (;;) {
     std::sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
       if (a.alignment.score != b.alignment.score) return a.alignment.score > b.alignment.score;
       return a.glimpse.place < b.glimpse.place;
     });
-    std::vector<Ranked*> left;
+    std::vector<Ranked*> to_climb, to_settle;
     for (std::size_t i = 0; i < std::min(kSurelyClimbed, ranked.size()); ++i) {
-      if (!ranked[i].climbed) left.push_back(&ranked[i]);
+      if (ranked[i].summits.empty()) to_climb.push_back(&ranked[i]);
+      if (i < kSurelySettled && !ranked[i].settled) to_settle.push_back(&ranked[i]);
     }
-    if (left.empty()) return;
-    climb(lattice, left);
+    if (to_climb.empty() && to_settle.empty()) return;
+    if (to_climb.empty()) {
+      settleSummits(to_settle);
+    } else {
+      climb(lattice, to_climb);
+    }
   }
 }
 

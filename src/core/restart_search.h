@@ -7,6 +7,7 @@
 #include "fixed_metric.h"
 #include "place_looks.h"
 #include "place_search.h"
+#include "restarts.h"
 #include "start_lattice.h"
 #include "worker_pool.h"
 
@@ -25,16 +26,18 @@ class RestartSearch {
  private:
   struct Ranked {
     Glimpse glimpse;
-    bool climbed = false;
     Alignment alignment;
+    std::vector<Alignment> summits;  ///< once climbed for; best first
+    bool settled = false;
   };
 
-  /// As good as a look's best starts are; kMostRanked at most.
+  /// At the best starts of a look.
   void rankUnclimbed(const StartLattice& lattice, const Glimpse* begin, const Glimpse* end,
                      std::vector<Ranked>& ranked) const;
   void climb(const StartLattice& lattice, const std::vector<Ranked*>& places) const;
-  /// Sorts; climbs on until the first are all climbed for.
-  void settle(const StartLattice& lattice, std::vector<Ranked>& ranked) const;
+  void settleSummits(const std::vector<Ranked*>& places) const;
+  /// Sorts; climbs on until the first are all climbed for and the very first are settled.
+  void finish(const StartLattice& lattice, std::vector<Ranked>& ranked) const;
 
   const QueryPlanes& query_;
   const LatticeMetric& metric_;

@@ -1,24 +1,42 @@
 #include "restarts.h"
 
+#include <algorithm>
+
 namespace place_memory::core {
 namespace {
 
-constexpr std::size_t kMostStarts = 8;
+constexpr int kFirstStep = 4;
 /// Peaks are nearer to their summits than the expected pose is.
 constexpr int kFirstStepFromPeak = 2;
 
+/// Measured on simulated places: more finds no better alignments.
+constexpr std::size_t kPeaks = 16;
+constexpr std::size_t kClimbs = 4;  ///< from the best of these peaks
+constexpr std::size_t kSettled = 4;
+
 }  // namespace
 
-Alignment climbFromPeaks(const Climber& climber, const StartLattice& lattice,
-                         const std::vector<BlockScores>& scores, std::size_t place) {
-  Alignment best = climber.climb(climber.evaluate({0, 0}, 0), kFirstStep);
-  for (const std::size_t i : lattice.peaks(scores, place, kMostStarts)) {
+void climbOnce(Climber& climber) { climber.climb({0, 0}, 0, kFirstStep); }
+
+std::vector<Alignment> climbFromPeaks(Climber& climber, const StartLattice& lattice,
+                                      const std::vector<BlockScores>& scores, std::size_t place) {
+  climbOnce(climber);
+  // Coarse cells told where the peaks are; the cells themselves tell which are high.
+  std::vector<Alignment> starts;
+  for (const std::size_t i : lattice.peaks(scores, place, kPeaks)) {
     const Alignment start = lattice.start(i);
-    const Alignment found =
-        climber.climb(climber.evaluate(start.shift, start.turn), kFirstStepFromPeak);
-    if (found.score > best.score) best = found;
+    starts.push_back(climber.evaluate(start.shift, start.turn));
   }
-  return climber.settle(best);
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const Alignment& a, const Alignment& b) { return a.score > b.score; });
+  if (starts.size() > kClimbs) starts.resize(kClimbs);
+  for (const Alignment& start : starts) climber.climb(start.shift, start.turn, kFirstStepFromPeak);
+  return climber.summits();
+}
+
+Alignment settle(Climber& climber, const std::vector<Alignment>& summits) {
+  for (std::size_t i = 0; i < std::min(kSettled, summits.size()); ++i) climber.settle(summits[i]);
+  return climber.summits().front();
 }
 
 }  // namespace place_memory::core

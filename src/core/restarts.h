@@ -8,13 +8,16 @@
 
 namespace place_memory::core {
 
-/// First step of a climb from the expected pose (paper 4).
-constexpr int kFirstStep = 4;
+/// The paper's hill climbing: one climb from the expected pose (paper 4).
+void climbOnce(Climber& climber);
 
-/// Hill climbing from the expected pose and from the peaks of the lattice, where the place scored
-/// `scores` in a close look (paper 4, last lines).
-Alignment climbFromPeaks(const Climber& climber, const StartLattice& lattice,
-                         const std::vector<BlockScores>& scores, std::size_t place);
+/// Hill climbing with restarts: from the expected pose and from the peaks of the lattice, where the
+/// place scored `scores` in a close look (paper 4, last lines). Returns the summits, best first.
+std::vector<Alignment> climbFromPeaks(Climber& climber, const StartLattice& lattice,
+                                      const std::vector<BlockScores>& scores, std::size_t place);
+
+/// The best alignment near these summits, best first.
+Alignment settle(Climber& climber, const std::vector<Alignment>& summits);
 
 }  // namespace place_memory::core
 

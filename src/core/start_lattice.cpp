@@ -1,6 +1,7 @@
 #include "start_lattice.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "coarse_planes.h"
 #include "pair_kernel.h"
@@ -8,30 +9,20 @@
 namespace place_memory::core {
 namespace {
 
-BitPlane shifted(const BitPlane& plane, CellShift shift) {
-  BitPlane moved{};
-  const int first = std::max(0, shift.rows);
-  const int end = std::min(kGridSize, kGridSize + shift.rows);
-  const std::uint64_t* from = plane.data() + (first - shift.rows);
-  std::uint64_t* to = moved.data() + first;
-  for (int row = 0; row < end - first; ++row) {
-    to[row] = shift.columns >= 0 ? from[row] << shift.columns : from[row] >> -shift.columns;
-  }
-  return moved;
-}
-
-CellTotals count(const CellPlanes& cells) {
-  const std::uint64_t* o = cells.occupied.data();
-  const std::uint64_t* e = cells.empty.data();
-  const PlaneCounts n = countPlanes({o, e, o, e, kGridSize, 0});
+/// Cells that lie on the learned grid after the shift.
+CellTotals countInside(const CellPlanes& cells, CellShift shift) {
+  const int rows = kGridSize - std::abs(shift.rows);
+  const std::uint64_t* o = cells.occupied.data() + std::max(0, -shift.rows);
+  const std::uint64_t* e = cells.empty.data() + std::max(0, -shift.rows);
+  const PlaneCounts n = countPlanes({o, e, o, e, rows, shift.columns});
   return {static_cast<std::uint16_t>(n.occupied), static_cast<std::uint16_t>(n.empty)};
 }
 
 }  // namespace
 
 // Measured: what pairs of coarse cells told of the pairs of cells where simulated places aligned.
-const Look kCloseLook{2, 3, kCoarseRows, coarsen, {3.2, 3.2, 3.2, 3.2}};
-const Look kFirstLook{3, 4, kCoarsestRows, coarsenMost, {4.7, 7.7, 8.2, 20.8}};
+const Look kCloseLook{2, 3, kCoarseRows, coarsenShifted, {3.2, 3.2, 3.2, 3.2}};
+const Look kFirstLook{3, 4, kCoarsestRows, coarsenMostShifted, {4.7, 7.7, 8.2, 20.8}};
 
 StartLattice::StartLattice(const QueryPlanes& query, const FixedMetric& metric,
                            const SearchWindow& window, const Look& look, WorkerPool& pool)
@@ -47,16 +38,17 @@ StartLattice::StartLattice(const QueryPlanes& query, const FixedMetric& metric,
   turns_ = static_cast<std::size_t>((last_turn - first_turn_) / look.turns + 1);
   query_.resize(turns_ * side_ * side_ * look.rows);
   offsets_.resize(turns_ * side_ * side_);
+  const std::size_t shifts = side_ * side_;
   pool.run(turns_, [&](std::size_t turn) {
-    for (std::size_t i = turn * side_ * side_; i < (turn + 1) * side_ * side_; ++i) {
+    const std::size_t first = turn * shifts;
+    const CellPlanes& turned = query.at(start(first).turn);
+    std::vector<CellShift> all;
+    for (std::size_t i = first; i < first + shifts; ++i) {
       const Alignment at = start(i);
-      const CellPlanes& turned = query.at(at.turn);
-      CellPlanes cells;
-      cells.occupied = shifted(turned.occupied, at.shift);
-      cells.empty = shifted(turned.empty, at.shift);
-      look.coarsen(cells, query_.data() + i * look.rows);
-      offsets_[i] = metric.ofTransform(count(cells), at.shift, at.turn);
+      all.push_back(at.shift);
+      offsets_[i] = metric.ofTransform(countInside(turned, at.shift), at.shift, at.turn);
     }
+    look.coarsen(turned, all, query_.data() + first * look.rows);
   });
 }
 
@@ -79,13 +71,14 @@ BlockBest StartLattice::score(const BlockRow* places, std::vector<BlockScores>& 
 
 std::vector<std::size_t> StartLattice::peaks(const std::vector<BlockScores>& scores,
                                              std::size_t place, std::size_t most) const {
+  // Copied for their order in memory.
+  std::vector<std::int64_t> of_place(size());
+  for (std::size_t i = 0; i < size(); ++i) of_place[i] = scores[i][place];
   std::vector<std::size_t> best;
-  const auto higher = [&](std::size_t a, std::size_t b) {
-    return scores[a][place] > scores[b][place];
-  };
+  const auto higher = [&](std::size_t a, std::size_t b) { return of_place[a] > of_place[b]; };
   for (std::size_t i = 0; i < size(); ++i) {
     const bool counts = best.size() < most || higher(i, best.back());
-    if (!counts || !isPeak(scores, place, i)) continue;
+    if (!counts || !isPeak(of_place, i)) continue;
     if (best.size() == most) best.pop_back();
     best.insert(std::upper_bound(best.begin(), best.end(), i, higher), i);
   }
@@ -93,21 +86,23 @@ std::vector<std::size_t> StartLattice::peaks(const std::vector<BlockScores>& sco
 }
 
 /// Of starts that score the same, the first is higher.
-bool StartLattice::isPeak(const std::vector<BlockScores>& scores, std::size_t place,
-                          std::size_t index) const {
-  const auto side = static_cast<int>(side_);
-  const auto turns = static_cast<int>(turns_);
-  const auto at = static_cast<int>(index);
-  const int turn = at / (side * side), row = at / side % side, column = at % side;
-  const std::int64_t score = scores[index][place];
-  for (int t = turn - 1; t <= turn + 1; ++t) {
-    if (!circular_ && (t < 0 || t >= turns)) continue;
-    const int on = (t + turns) % turns;
-    for (int r = std::max(0, row - 1); r <= std::min(side - 1, row + 1); ++r) {
-      for (int c = std::max(0, column - 1); c <= std::min(side - 1, column + 1); ++c) {
-        const int other = (on * side + r) * side + c;
-        const std::int64_t others = scores[static_cast<std::size_t>(other)][place];
-        if (others > score || (others == score && other < at)) return false;
+bool StartLattice::isPeak(const std::vector<std::int64_t>& scores, std::size_t index) const {
+  const std::size_t row = index / side_ % side_, column = index % side_;
+  const std::size_t turn = index / (side_ * side_);
+  const auto rises = [&](std::size_t other) {
+    return scores[other] > scores[index] || (scores[other] == scores[index] && other < index);
+  };
+  // Those beside it first: they mostly tell.
+  if (column > 0 && rises(index - 1)) return false;
+  if (column + 1 < side_ && rises(index + 1)) return false;
+  const bool wraps = circular_ && turns_ > 1;
+  for (std::size_t t = turn + turns_ - 1; t <= turn + turns_ + 1; ++t) {
+    if (!wraps && (t < turns_ || t >= 2 * turns_)) continue;
+    for (std::size_t r = row - std::min<std::size_t>(row, 1); r <= std::min(side_ - 1, row + 1);
+         ++r) {
+      for (std::size_t c = column - std::min<std::size_t>(column, 1);
+           c <= std::min(side_ - 1, column + 1); ++c) {
+        if (rises((t % turns_ * side_ + r) * side_ + c)) return false;
       }
     }
   }

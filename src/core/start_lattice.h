@@ -16,7 +16,8 @@ struct Look {
   int cells;         ///< between the shifts it tries
   int turns;         ///< between the turns it tries
   std::size_t rows;  ///< of the coarse planes that it compares
-  void (*coarsen)(const CellPlanes& cells, QueryRow* rows);
+  /// Makes them, one shift after the other.
+  void (*coarsen)(const CellPlanes& cells, const std::vector<CellShift>& shifts, QueryRow* rows);
   PairShares shares;
 };
 
@@ -48,7 +49,7 @@ class StartLattice {
                                  std::size_t most) const;
 
  private:
-  bool isPeak(const std::vector<BlockScores>& scores, std::size_t place, std::size_t index) const;
+  bool isPeak(const std::vector<std::int64_t>& scores, std::size_t index) const;
 
   const Look& look_;
   bool circular_;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "place_memory/core/lattice.h"
 #include "place_memory/core/pose2d.h"
 
 namespace place_memory::core {
@@ -232,6 +233,19 @@ TEST(QueryPlanes, HoldTheGridAtEveryHeading) {
     const CellPlanes expected = turned(CellPlanes(named.grid), turn * 0.1);
     EXPECT_EQ(query.at(turn).occupied, expected.occupied) << turn;
     EXPECT_EQ(query.at(turn).empty, expected.empty) << turn;
+  }
+}
+
+TEST(QueryPlanes, HoldTheGridAtEveryHeadingStepOfASearch) {
+  for (const NamedGrid& named : {randomGrid(6), randomGrid(7), grids()[5], grids()[3]}) {
+    for (const int turns : {0, 1, 14, 15, 16, 29, 30, 31, 44, 45, kHalfCircle}) {
+      const QueryPlanes query(named.grid, kHeadingStep, turns);
+      for (int turn = -turns; turn <= turns; ++turn) {
+        const CellPlanes expected = turned(CellPlanes(named.grid), turn * kHeadingStep);
+        ASSERT_EQ(query.at(turn).occupied, expected.occupied) << named.name << ", " << turn;
+        ASSERT_EQ(query.at(turn).empty, expected.empty) << named.name << ", " << turn;
+      }
+    }
   }
 }
 

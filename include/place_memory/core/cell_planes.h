@@ -13,8 +13,8 @@ using BitPlane = std::array<std::uint64_t, kGridSize>;
 
 /// The classes of a grid's cells as bit planes: occupied, empty, and neither of them unsensed.
 struct CellPlanes {
-  BitPlane occupied{};
-  BitPlane empty{};
+  alignas(64) BitPlane occupied{};
+  alignas(64) BitPlane empty{};
 
   CellPlanes() = default;
   /// Classes by the sign of the evidence (paper 4).

@@ -24,19 +24,6 @@ struct CellShift {
 /// it is unsensed. Shifts in [-63, 63].
 PairCounts countPairs(const CellPlanes& recognition, CellShift shift, const CellPlanes& learned);
 
-/// countPairs() for one learned grid, which is counted once. Keeps a reference to it.
-class PairCounter {
- public:
-  explicit PairCounter(const CellPlanes& learned);
-
-  PairCounts count(const CellPlanes& recognition, CellShift shift) const;
-
- private:
-  const CellPlanes& learned_;
-  int occupied_;  ///< cells
-  int empty_;     ///< cells
-};
-
 /// The recognition grid at every heading of a search, made once and used for every place.
 class QueryPlanes {
  public:

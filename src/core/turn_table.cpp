@@ -1,0 +1,139 @@
+#include "turn_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "place_memory/core/lattice.h"
+
+namespace place_memory::core {
+namespace {
+
+constexpr int kQuarter = kHalfCircle / 2;  ///< heading steps
+constexpr int kEighth = kQuarter / 2;      ///< heading steps
+
+/// Of eight bytes, the lowest bit of each: that of the first byte becomes the lowest bit.
+std::uint64_t gatherBits(std::uint64_t bytes) {
+  return (bytes & 0x0101010101010101) * 0x0102040810204080 >> 56;
+}
+
+BitPlane transposed(BitPlane plane) {
+  std::uint64_t low = 0x00000000ffffffff;
+  for (std::size_t half = kGridSize / 2; half > 0; half /= 2, low ^= low << half) {
+    for (std::size_t first = 0; first < kGridSize; first += 2 * half) {
+      for (std::size_t row = first; row < first + half; ++row) {
+        const std::uint64_t moved = (plane[row] >> half ^ plane[row + half]) & low;
+        plane[row] ^= moved << half;
+        plane[row + half] ^= moved;
+      }
+    }
+  }
+  return plane;
+}
+
+BitPlane quarterTurned(BitPlane plane) {
+  std::reverse(plane.begin(), plane.end());
+  return transposed(plane);
+}
+
+/// Turns of less than a quarter; the others follow from them by quarter turns, but for those by odd
+/// eighths, which put cells on the border of two: there, rounding decides.
+struct TurnTables {
+  TurnTables() {
+    for (int turn = 0; turn < kQuarter; ++turn) quarter.emplace_back(turn * kHeadingStep);
+    for (int turn = -kQuarter - kEighth; turn <= kQuarter + kEighth; turn += kQuarter) {
+      eighths.emplace_back(turn * kHeadingStep);
+    }
+  }
+
+  std::vector<TurnTable> quarter;
+  std::vector<TurnTable> eighths;  ///< by -3, -1, 1 and 3 eighths
+};
+
+}  // namespace
+
+CellBytes::CellBytes(const EvidenceGrid& grid) {
+  for (std::size_t i = 0; i < kGridCells; ++i) {
+    const std::int8_t evidence = grid.cells()[i];
+    classes[i] = static_cast<std::uint8_t>(evidence > 0 ? kOccupied : evidence < 0 ? kEmpty : 0);
+  }
+}
+
+CellBytes::CellBytes(const CellPlanes& cells) {
+  for (std::size_t i = 0; i < kGridCells; ++i) {
+    const std::size_t row = i / kGridSize, column = i % kGridSize;
+    const std::uint64_t occupied = cells.occupied[row] >> column & 1;
+    const std::uint64_t empty = cells.empty[row] >> column & 1;
+    classes[i] = static_cast<std::uint8_t>(occupied * kOccupied | empty * kEmpty);
+  }
+}
+
+TurnTable::TurnTable(double angle) {
+  constexpr double kMiddle = 0.5 * (kGridSize - 1);
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  for (int row = 0; row < kGridSize; ++row) {
+    for (int column = 0; column < kGridSize; ++column) {
+      const double x = column - kMiddle;
+      const double y = row - kMiddle;
+      const long from_column = std::lround(c * x + s * y + kMiddle);
+      const long from_row = std::lround(-s * x + c * y + kMiddle);
+      const bool inside =
+          from_column >= 0 && from_column < kGridSize && from_row >= 0 && from_row < kGridSize;
+      from_[static_cast<std::size_t>(row * kGridSize + column)] =
+          static_cast<std::uint16_t>(inside ? from_row * kGridSize + from_column : kGridCells);
+    }
+  }
+}
+
+CellPlanes TurnTable::turn(const CellBytes& cells) const {
+  CellPlanes planes;
+  for (std::size_t row = 0; row < kGridSize; ++row) {
+    for (std::size_t column = 0; column < kGridSize; column += 8) {
+      const std::uint16_t* from = from_.data() + row * kGridSize + column;
+      std::uint64_t eight = 0;
+      for (std::size_t i = 0; i < 8; ++i) {
+        eight |= static_cast<std::uint64_t>(cells.classes[from[i]]) << 8 * i;
+      }
+      planes.occupied[row] |= gatherBits(eight) << column;
+      planes.empty[row] |= gatherBits(eight >> 1) << column;
+    }
+  }
+  return planes;
+}
+
+CellPlanes quarterTurned(const CellPlanes& cells) {
+  CellPlanes turned;
+  turned.occupied = quarterTurned(cells.occupied);
+  turned.empty = quarterTurned(cells.empty);
+  return turned;
+}
+
+std::vector<CellPlanes> turnedBySteps(const EvidenceGrid& grid, int turns) {
+  static const TurnTables tables;
+  const CellBytes cells(grid);
+  std::vector<CellPlanes> turned(static_cast<std::size_t>(2 * turns + 1));
+  const auto at = [&](int turn) -> CellPlanes& {
+    return turned[static_cast<std::size_t>(turn + turns)];
+  };
+  for (int base = 0; base < kQuarter; ++base) {
+    // base, and what quarter turns make of it, by rising angle.
+    int turn = base - (base + turns) / kQuarter * kQuarter;
+    if (turn > turns) continue;
+    CellPlanes planes = tables.quarter[static_cast<std::size_t>(base)].turn(cells);
+    for (int quarters = (base - turn) / kQuarter; quarters % 4 != 0; ++quarters) {
+      planes = quarterTurned(planes);
+    }
+    for (; turn <= turns; turn += kQuarter) {
+      at(turn) = planes;
+      planes = quarterTurned(planes);
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    const int turn = (2 * i - 3) * kEighth;
+    if (std::abs(turn) <= turns) at(turn) = tables.eighths[static_cast<std::size_t>(i)].turn(cells);
+  }
+  return turned;
+}
+
+}  // namespace place_memory::core
