@@ -1,0 +1,195 @@
+#include "full_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+
+#include "threads.h"
+
+namespace place_memory::measure {
+namespace {
+
+constexpr int kGroupSide = 3;
+constexpr double kOne = 65536.0;  // of the fixed point
+constexpr std::size_t kRows = core::kGridSize;
+
+/// Bounds are sums of rounded terms, and scores sums of doubles in some order.
+constexpr double kSlack = 1e-6;
+
+enum Class : std::size_t { kEmpty = 0, kUnsensed = 1, kOccupied = 2 };
+
+std::int32_t fixed(double value) { return static_cast<std::int32_t>(std::ceil(value * kOne)); }
+
+/// What a pair counts beyond what its two cells would count beside unsensed ones.
+double pairFactor(const core::PairWeights& w, std::size_t recognition, std::size_t learned) {
+  return w[recognition][learned] - w[recognition][kUnsensed] - w[kUnsensed][learned] +
+         w[kUnsensed][kUnsensed];
+}
+
+core::PairFactors factors(const core::PairWeights& w, bool good) {
+  const auto factor = [&](std::size_t recognition, std::size_t learned) {
+    const double value = pairFactor(w, recognition, learned);
+    return (value > 0.0) == good ? fixed(value) : 0;
+  };
+  return {factor(kOccupied, kOccupied), factor(kOccupied, kEmpty), factor(kEmpty, kOccupied),
+          factor(kEmpty, kEmpty)};
+}
+
+std::array<core::QueryRow, kRows> shifted(const core::CellPlanes& planes, int columns, int rows) {
+  std::array<core::QueryRow, kRows> result;
+  const auto move = [columns](std::uint64_t row) {
+    return columns >= 0 ? row << columns : row >> -columns;
+  };
+  for (int to = std::max(0, rows); to < std::min(core::kGridSize, core::kGridSize + rows); ++to) {
+    const auto from = static_cast<std::size_t>(to - rows);
+    result[static_cast<std::size_t>(to)] = {move(planes.occupied[from]), move(planes.empty[from])};
+  }
+  return result;
+}
+
+bool beats(const ScoredPlace& a, const ScoredPlace& b) {
+  return b.id == core::kNoPlace || a.score > b.score || (a.score == b.score && a.id < b.id);
+}
+
+}  // namespace
+
+FullSearch::FullSearch(const core::QueryPlanes& query, const core::LatticeMetric& metric,
+                       const core::SearchWindow& window)
+    : query_(query),
+      metric_(metric),
+      window_(window),
+      good_(factors(metric.weights, true)),
+      bad_(factors(metric.weights, false)) {
+  const int last_turn = window.circular ? window.turns - 1 : window.turns;
+  for (int turn = -window.turns; turn <= last_turn; ++turn) {
+    for (int row = -window.cells; row <= window.cells; row += kGroupSide) {
+      for (int column = -window.cells; column <= window.cells; column += kGroupSide) {
+        addGroup({turn, column, row});
+      }
+    }
+  }
+}
+
+template <typename Call>
+void FullSearch::forEachShift(const Group& group, const Call& call) const {
+  const int last_row = std::min(group.first_row + kGroupSide - 1, window_.cells);
+  const int last_column = std::min(group.first_column + kGroupSide - 1, window_.cells);
+  for (int row = group.first_row; row <= last_row; ++row) {
+    for (int column = group.first_column; column <= last_column; ++column) {
+      call(core::CellShift{column, row});
+    }
+  }
+}
+
+void FullSearch::addGroup(const Group& group) {
+  const core::PairWeights& w = metric_.weights;
+  const double unsensed = w[kUnsensed][kUnsensed];
+  std::array<core::QueryRow, kRows> some{}, all;
+  all.fill({~std::uint64_t{0}, ~std::uint64_t{0}});
+  double most = -INFINITY;
+  forEachShift(group, [&](core::CellShift shift) {
+    int occupied = 0, empty = 0;
+    const auto rows = shifted(query_.at(group.turn), shift.columns, shift.rows);
+    for (std::size_t i = 0; i < kRows; ++i) {
+      some[i].occupied |= rows[i].occupied;
+      some[i].empty |= rows[i].empty;
+      all[i].occupied &= rows[i].occupied;
+      all[i].empty &= rows[i].empty;
+      occupied += __builtin_popcountll(rows[i].occupied);
+      empty += __builtin_popcountll(rows[i].empty);
+    }
+    const int cells = shift.columns * shift.columns + shift.rows * shift.rows;
+    most =
+        std::max(most, occupied * (w[kOccupied][kUnsensed] - unsensed) +
+                           empty * (w[kEmpty][kUnsensed] - unsensed) - metric_.shift_cost * cells -
+                           metric_.turn_cost * group.turn * group.turn);
+  });
+  groups_.push_back(group);
+  somewhere_.insert(somewhere_.end(), some.begin(), some.end());
+  everywhere_.insert(everywhere_.end(), all.begin(), all.end());
+  offsets_.push_back(static_cast<std::int64_t>(std::ceil(most * kOne)));
+}
+
+double FullSearch::termOf(const core::CellTotals& totals) const {
+  const core::PairWeights& w = metric_.weights;
+  const double unsensed = w[kUnsensed][kUnsensed];
+  return totals.occupied * (w[kUnsensed][kOccupied] - unsensed) +
+         totals.empty * (w[kUnsensed][kEmpty] - unsensed) + core::kGridCells * unsensed;
+}
+
+core::KernelInput FullSearch::inputOf(const core::PlaceBlock& block, std::size_t first_group,
+                                      std::size_t groups) const {
+  return {
+      block.planes().rows.data(),   somewhere_.data() + first_group * kRows, kRows, groups, good_,
+      offsets_.data() + first_group};
+}
+
+ScoredPlace FullSearch::best(const core::PlaceIndex& places, const ScoredPlace& known) const {
+  constexpr std::size_t kAtATime = 32;  // blocks, which stay in the cache for all groups
+  const std::size_t blocks = places.blocks().size();
+  ScoredPlace best = known;
+  std::mutex mutex;
+  inThreads((blocks + kAtATime - 1) / kAtATime, [&](std::size_t i) {
+    ScoredPlace own;
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      own = best;
+    }
+    search(places, i * kAtATime, std::min(blocks, (i + 1) * kAtATime), own);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (beats(own, best)) best = own;
+  });
+  return best;
+}
+
+void FullSearch::search(const core::PlaceIndex& places, std::size_t first_block,
+                        std::size_t last_block, ScoredPlace& best) const {
+  constexpr std::size_t kGroups = 128;  // at a time, for the cache's sake too
+  std::array<core::BlockScores, kGroups> bounds;
+  for (std::size_t first = 0; first < groups_.size(); first += kGroups) {
+    const std::size_t count = std::min(kGroups, groups_.size() - first);
+    for (std::size_t b = first_block; b < last_block; ++b) {
+      const core::PlaceBlock& block = *places.blocks()[b];
+      const core::BlockBest most = kernel_(inputOf(block, first, count), bounds.data());
+      bool may_be_best = best.id == core::kNoPlace;
+      for (std::size_t slot = 0; slot < block.size() && !may_be_best; ++slot) {
+        const double bound =
+            static_cast<double>(most.score[slot]) / kOne + termOf(block.totals(slot));
+        may_be_best = bound >= best.score - kSlack;
+      }
+      if (!may_be_best) continue;
+      for (std::size_t i = 0; i < count; ++i) searchGroup(block, first + i, bounds[i], best);
+    }
+  }
+}
+
+void FullSearch::searchGroup(const core::PlaceBlock& block, std::size_t group,
+                             const core::BlockScores& bounds, ScoredPlace& best) const {
+  std::array<core::BlockScores, 1> penalties;
+  bool has_penalties = false;
+  for (std::size_t slot = 0; slot < block.size(); ++slot) {
+    const double term = termOf(block.totals(slot));
+    const auto cannotBeBest = [&](std::int64_t bound) {
+      return best.id != core::kNoPlace &&
+             static_cast<double>(bound) / kOne + term < best.score - kSlack;
+    };
+    if (cannotBeBest(bounds[slot])) continue;
+    if (!has_penalties) {
+      const std::int64_t none = 0;
+      kernel_(
+          {block.planes().rows.data(), everywhere_.data() + group * kRows, kRows, 1, bad_, &none},
+          penalties.data());
+      has_penalties = true;
+    }
+    if (cannotBeBest(bounds[slot] + penalties[0][slot])) continue;
+    const core::CellPlanes cells = block.planes().get(slot);
+    forEachShift(groups_[group], [&](core::CellShift shift) {
+      const ScoredPlace found{block[slot].id,
+                              core::scoreAt(query_, cells, metric_, shift, groups_[group].turn)};
+      if (beats(found, best)) best = found;
+    });
+  }
+}
+
+}  // namespace place_memory::measure
