@@ -33,7 +33,7 @@ Alignment restarts(Climber& climber, const QueryPlanes& query, const CellPlanes&
   }
   std::vector<BlockScores> scores;
   lattice.score(places.data(), scores);
-  return settle(climber, climbFromPeaks(climber, lattice, scores, 0));
+  return settle(climber, climbFromStarts(climber, lattice, scores, 0));
 }
 
 }  // namespace

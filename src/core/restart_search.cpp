@@ -17,6 +17,8 @@ constexpr double kClimbedGrowth = 0.6;
 /// So many of the first are settled: the order of the others matters less.
 constexpr std::size_t kSurelySettled = 12;
 
+constexpr std::size_t kUnclimbedATask = 64;
+
 std::size_t partOf(std::size_t places, double least, double growth) {
   const double times = std::max(1.0, static_cast<double>(places) / kAllClose);
   return static_cast<std::size_t>(least * std::pow(times, growth));
@@ -49,35 +51,41 @@ RestartSearch::RestartSearch(const QueryPlanes& query, const PlaceIndex& places,
 
 std::vector<PlaceAlignment> RestartSearch::run() const {
   poll_();
-  const std::size_t close = partOf(size_, kAllClose, kCloseGrowth);
-  const std::size_t climbed = partOf(size_, kLeastClimbed, kClimbedGrowth);
-  std::vector<Ranked> ranked;
-  std::vector<Glimpse> seen;
-  if (close < size_) {
-    const StartLattice first(query_, fixed_, window_, kFirstLook, pool_);
-    seen = looks_.lookFirst(first);
-    Glimpse* const end = seen.data() + seen.size();
-    Glimpse* const rest = selectBest(seen.data(), close, end);
-    if (close < kMostRanked) {
-      rankUnclimbed(first, rest, selectBest(rest, kMostRanked - close, end), ranked);
-    }
-    seen.resize(close);
-    // In the order in which they lie in memory.
-    std::sort(seen.begin(), seen.end(),
-              [](const Glimpse& a, const Glimpse& b) { return a.place < b.place; });
-  } else {
-    seen = looks_.everyPlace();
-  }
-
+  std::vector<Glimpse> seen = shortlist();
   const StartLattice lattice(query_, fixed_, window_, kCloseLook, pool_);
+  std::vector<Ranked> ranked = rank(lattice, seen);
+  finish(lattice, ranked);
+  std::vector<PlaceAlignment> answer;
+  for (std::size_t i = 0; i < std::min(ranked.size(), kMostRanked); ++i) {
+    answer.push_back({&looks_.entryOf(ranked[i].glimpse.place), ranked[i].alignment});
+  }
+  return answer;
+}
+
+std::vector<Glimpse> RestartSearch::shortlist() const {
+  const std::size_t close = partOf(size_, kAllClose, kCloseGrowth);
+  if (close >= size_) return looks_.everyPlace();
+  const StartLattice lattice(query_, fixed_, window_, kFirstLook, pool_);
+  std::vector<Glimpse> seen = looks_.lookFirst(lattice);
+  selectBest(seen.data(), close, seen.data() + seen.size());
+  seen.resize(close);
+  // In the order in which they lie in memory.
+  std::sort(seen.begin(), seen.end(),
+            [](const Glimpse& a, const Glimpse& b) { return a.place < b.place; });
+  return seen;
+}
+
+std::vector<RestartSearch::Ranked> RestartSearch::rank(const StartLattice& lattice,
+                                                       std::vector<Glimpse>& seen) const {
   Glimpse* const end = seen.data() + seen.size();
   Glimpse* best_end = end;
+  std::vector<Ranked> ranked;
+  const std::size_t climbed = partOf(size_, kLeastClimbed, kClimbedGrowth);
   if (climbed < seen.size()) {
     looks_.lookClosely(lattice, seen.data(), end);
     best_end = selectBest(seen.data(), climbed, end);
-    if (climbed < kMostRanked) {
-      rankUnclimbed(lattice, best_end, selectBest(best_end, kMostRanked - climbed, end), ranked);
-    }
+    const std::size_t others = kMostRanked - std::min(climbed, kMostRanked);
+    rankUnclimbed(lattice, best_end, selectBest(best_end, others, end), ranked);
   }
   const std::size_t unclimbed = ranked.size();
   for (Glimpse* glimpse = seen.data(); glimpse != best_end; ++glimpse) {
@@ -86,23 +94,23 @@ std::vector<PlaceAlignment> RestartSearch::run() const {
   std::vector<Ranked*> to_climb;
   for (std::size_t i = unclimbed; i < ranked.size(); ++i) to_climb.push_back(&ranked[i]);
   climb(lattice, to_climb);
-  finish(lattice, ranked);
-
-  if (ranked.size() > kMostRanked) ranked.resize(kMostRanked);
-  std::vector<PlaceAlignment> answer;
-  for (const Ranked& place : ranked) {
-    answer.push_back({&looks_.entryOf(place.glimpse.place), place.alignment});
-  }
-  return answer;
+  return ranked;
 }
 
 void RestartSearch::rankUnclimbed(const StartLattice& lattice, const Glimpse* begin,
                                   const Glimpse* end, std::vector<Ranked>& ranked) const {
-  for (const Glimpse* glimpse = begin; glimpse != end; ++glimpse) {
-    Alignment at = lattice.start(glimpse->start);
-    at.score = scoreAt(query_, looks_.cellsOf(glimpse->place), metric_, at.shift, at.turn);
-    ranked.push_back({*glimpse, at, {}, false});
-  }
+  const std::size_t before = ranked.size();
+  ranked.resize(before + static_cast<std::size_t>(end - begin));
+  const auto rankTogether = [&](std::size_t task) {
+    const std::size_t first = task * kUnclimbedATask;
+    for (std::size_t i = first; i < std::min(first + kUnclimbedATask, ranked.size() - before);
+         ++i) {
+      Alignment at = lattice.start(begin[i].start);
+      at.score = scoreAt(query_, looks_.cellsOf(begin[i].place), metric_, at.shift, at.turn);
+      ranked[before + i] = {begin[i], at, {}, false};
+    }
+  };
+  pool_.run((ranked.size() - before + kUnclimbedATask - 1) / kUnclimbedATask, rankTogether, poll_);
 }
 
 void RestartSearch::climb(const StartLattice& lattice, const std::vector<Ranked*>& places) const {
@@ -117,7 +125,7 @@ void RestartSearch::climb(const StartLattice& lattice, const std::vector<Ranked*
       Ranked& place = *places[first + i];
       const CellPlanes cells = looks_.cellsOf(place.glimpse.place);
       Climber climber(query_, cells, metric_, window_);
-      place.summits = climbFromPeaks(climber, lattice, scores, i);
+      place.summits = climbFromStarts(climber, lattice, scores, i);
       place.alignment = place.summits.front();
     }
   };

@@ -31,6 +31,11 @@ class RestartSearch {
     bool settled = false;
   };
 
+  /// The places that are looked at closely.
+  std::vector<Glimpse> shortlist() const;
+  /// The best places of all that were `seen`, in any order: climbed for, or as the close look shows
+  /// them.
+  std::vector<Ranked> rank(const StartLattice& lattice, std::vector<Glimpse>& seen) const;
   /// At the best starts of a look.
   void rankUnclimbed(const StartLattice& lattice, const Glimpse* begin, const Glimpse* end,
                      std::vector<Ranked>& ranked) const;

@@ -69,44 +69,24 @@ BlockBest StartLattice::score(const BlockRow* places, std::vector<BlockScores>& 
                  scores.data());
 }
 
-std::vector<std::size_t> StartLattice::peaks(const std::vector<BlockScores>& scores,
-                                             std::size_t place, std::size_t most) const {
-  // Copied for their order in memory.
-  std::vector<std::int64_t> of_place(size());
-  for (std::size_t i = 0; i < size(); ++i) of_place[i] = scores[i][place];
+std::vector<Alignment> StartLattice::bestStarts(const std::vector<BlockScores>& scores,
+                                                std::size_t place, std::size_t most) const {
+  const std::size_t shifts = side_ * side_;
   std::vector<std::size_t> best;
-  const auto higher = [&](std::size_t a, std::size_t b) { return of_place[a] > of_place[b]; };
-  for (std::size_t i = 0; i < size(); ++i) {
-    const bool counts = best.size() < most || higher(i, best.back());
-    if (!counts || !isPeak(of_place, i)) continue;
-    if (best.size() == most) best.pop_back();
-    best.insert(std::upper_bound(best.begin(), best.end(), i, higher), i);
-  }
-  return best;
-}
-
-/// Of starts that score the same, the first is higher.
-bool StartLattice::isPeak(const std::vector<std::int64_t>& scores, std::size_t index) const {
-  const std::size_t row = index / side_ % side_, column = index % side_;
-  const std::size_t turn = index / (side_ * side_);
-  const auto rises = [&](std::size_t other) {
-    return scores[other] > scores[index] || (scores[other] == scores[index] && other < index);
-  };
-  // Those beside it first: they mostly tell.
-  if (column > 0 && rises(index - 1)) return false;
-  if (column + 1 < side_ && rises(index + 1)) return false;
-  const bool wraps = circular_ && turns_ > 1;
-  for (std::size_t t = turn + turns_ - 1; t <= turn + turns_ + 1; ++t) {
-    if (!wraps && (t < turns_ || t >= 2 * turns_)) continue;
-    for (std::size_t r = row - std::min<std::size_t>(row, 1); r <= std::min(side_ - 1, row + 1);
-         ++r) {
-      for (std::size_t c = column - std::min<std::size_t>(column, 1);
-           c <= std::min(side_ - 1, column + 1); ++c) {
-        if (rises((t % turns_ * side_ + r) * side_ + c)) return false;
-      }
+  for (std::size_t first = 0; first < size(); first += shifts) {
+    std::size_t of_turn = first;
+    for (std::size_t i = first + 1; i < first + shifts; ++i) {
+      if (scores[i][place] > scores[of_turn][place]) of_turn = i;
     }
+    best.push_back(of_turn);
   }
-  return true;
+  std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) {
+    return scores[a][place] > scores[b][place];
+  });
+  if (best.size() > most) best.resize(most);
+  std::vector<Alignment> starts;
+  for (const std::size_t i : best) starts.push_back(start(i));
+  return starts;
 }
 
 }  // namespace place_memory::core

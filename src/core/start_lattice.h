@@ -43,14 +43,11 @@ class StartLattice {
   /// coarse rows.
   BlockBest score(const BlockRow* places, std::vector<BlockScores>& scores) const;
 
-  /// The best `most` of the starts that score higher than their neighbours, best first; at least
-  /// one.
-  std::vector<std::size_t> peaks(const std::vector<BlockScores>& scores, std::size_t place,
-                                 std::size_t most) const;
+  /// The best start of each turn, of these the best `most`, best first; at least one.
+  std::vector<Alignment> bestStarts(const std::vector<BlockScores>& scores, std::size_t place,
+                                    std::size_t most) const;
 
  private:
-  bool isPeak(const std::vector<std::int64_t>& scores, std::size_t index) const;
-
   const Look& look_;
   bool circular_;
   int first_turn_;
