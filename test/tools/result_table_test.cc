@@ -26,8 +26,10 @@ Event event(Action action, const std::string& label = "") {
   return event;
 }
 
+/// Whatever fits best is recognized: what verdicts are worth is another matter.
 core::PlaceMemoryOptions adapting(bool enabled, const std::string& store = "") {
   core::PlaceMemoryOptions options;
+  options.recognizer.calibration.coefficients = {20.0};
   options.store_path = store;
   options.adaptation.enabled = enabled;
   return options;
