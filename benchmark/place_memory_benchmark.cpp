@@ -1,11 +1,12 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <boost/program_options.hpp>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <optional>
+#include <string>
 
 #include "setting.h"
 
@@ -14,8 +15,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-std::optional<Options> readArguments(int argc, char** argv) {
-  Options options;
+po::options_description knownOptions(Options& options) {
   po::options_description known(
       "Options beside those of Google Benchmark (--benchmark_filter, ...)");
   known.add_options()("help", "says this")(
@@ -27,20 +27,27 @@ std::optional<Options> readArguments(int argc, char** argv) {
       "of the largest store, 6 KB a place")(
       "queries", po::value(&options.queries)->default_value(options.queries),
       "put to each memory at the most, at least 1")(
+      "patience", po::value(&options.patience)->default_value(options.patience),
+      "about so many seconds for the queries put to one memory by one method: the more, the more "
+      "queries to the largest memories")(
       "folder",
       po::value(&options.folder)->default_value(std::filesystem::temp_directory_path().string()),
       "for stores, which are removed again")(
       "write-store", po::value(&options.store_to_write),
       "writes a store of max-places places to this file, and measures nothing");
+  return known;
+}
+
+/// Google Benchmark's own arguments are out already.
+Options readArguments(int argc, char** argv) {
+  Options options;
+  const po::options_description known = knownOptions(options);
   po::variables_map values;
   po::store(po::parse_command_line(argc, argv, known), values);
-  if (values.count("help") > 0) {
-    std::cout << known;
-    return std::nullopt;
-  }
   po::notify(values);
-  if (options.max_places < 21 || options.queries < 1) {
-    throw std::invalid_argument("max-places must be at least 21, queries at least 1");
+  if (options.max_places < 21 || options.queries < 1 || !(options.patience > 0.0)) {
+    throw std::invalid_argument(
+        "max-places must be at least 21, queries at least 1, patience above 0");
   }
   return options;
 }
@@ -51,12 +58,17 @@ std::optional<Options> readArguments(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace place_memory::measure;
   try {
-    ::benchmark::Initialize(&argc, argv);  // takes its own arguments out
-    const auto options = readArguments(argc, argv);
-    if (!options) return EXIT_SUCCESS;
-    Setting setting(*options);
-    if (!options->store_to_write.empty()) {
-      writeStore(options->store_to_write, setting.memory(options->max_places));
+    // Google Benchmark would speak of its own options alone.
+    if (std::find(argv, argv + argc, std::string("--help")) != argv + argc) {
+      Options defaults;
+      std::cout << knownOptions(defaults);
+      return EXIT_SUCCESS;
+    }
+    ::benchmark::Initialize(&argc, argv);
+    const Options options = readArguments(argc, argv);
+    Setting setting(options);
+    if (!options.store_to_write.empty()) {
+      writeStore(options.store_to_write, setting.memory(options.max_places));
       return EXIT_SUCCESS;
     }
     registerKernels(setting);

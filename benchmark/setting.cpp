@@ -33,9 +33,8 @@ void Setting::dropIndex() {
 }
 
 std::size_t Setting::affordableQueries(std::size_t size, double seconds_per_place) const {
-  constexpr double kSeconds = 60.0;
   constexpr double kFewest = 3.0;
-  const double affordable = kSeconds / (seconds_per_place * static_cast<double>(size));
+  const double affordable = options_.patience / (seconds_per_place * static_cast<double>(size));
   return std::min(options_.queries, static_cast<std::size_t>(std::max(affordable, kFewest)));
 }
 

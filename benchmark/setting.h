@@ -14,6 +14,7 @@ struct Options {
   std::size_t max_full = 1000;    ///< of the largest that is searched in full
   std::size_t max_stored = 1000;  ///< of the largest store
   std::size_t queries = 400;      ///< put to each memory at the most
+  double patience = 60.0;         ///< about so long for each memory and method [s]
   std::string folder;             ///< for stores
   std::string store_to_write;     ///< "": none
 };
@@ -32,7 +33,7 @@ class Setting {
   void dropIndex();
   SyntheticMemory memory(std::size_t size) { return {simulated(), size}; }
 
-  /// Queries that take about a minute where one takes `seconds_per_place` for each place.
+  /// Queries that the patience allows where one takes `seconds_per_place` for each place.
   std::size_t affordableQueries(std::size_t size, double seconds_per_place) const;
 
  private:
