@@ -52,6 +52,7 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   reader.add(root, source);
   const Interval any{-1000.0, 1000.0, true, true};
   reader.number("shift_cost", {0.0, 1e6, true, true}, preset.metric.shift_cost);
+  reader.flag("overlap_only", preset.metric.overlap_only);
   reader.number("turn_cost", {0.0, 1e6, true, true}, preset.metric.turn_cost);
   if (second) {
     reader.number("second_look/first", {0.0, 1000.0, true, true}, look.first);

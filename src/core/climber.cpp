@@ -31,6 +31,12 @@ Climber::Climber(const QueryPlanes& query, const CellPlanes& learned, const Latt
 
 Alignment Climber::evaluate(CellShift shift, int turn) const {
   const CellPlanes& turned = query_.at(turn);
+  const int cells = shift.columns * shift.columns + shift.rows * shift.rows;
+  const double cost = metric_.shift_cost * cells + metric_.turn_cost * turn * turn;
+  if (metric_.overlap_only) {
+    const PairCounts pairs = countOverlap(turned, query_.reach(turn), shift, learned_);
+    return {shift, turn, pairScore(pairs, metric_.weights) - cost};
+  }
   const int first = std::max(0, shift.rows);
   const int end = std::min(kGridSize, kGridSize + shift.rows);
   const int from = first - shift.rows;
@@ -45,8 +51,6 @@ Alignment Climber::evaluate(CellShift shift, int turn) const {
                           (points(n.empty_occupied, linear_.empty_occupied) +
                            points(n.empty_empty, linear_.empty_empty));
   const double of_query = points(n.occupied, linear_.occupied) + points(n.empty, linear_.empty);
-  const int cells = shift.columns * shift.columns + shift.rows * shift.rows;
-  const double cost = metric_.shift_cost * cells + metric_.turn_cost * turn * turn;
   return {shift, turn, of_place_ + (of_pairs + of_query) - cost};
 }
 

@@ -22,6 +22,7 @@ SearchWindow searchWindow(double position_window, double heading_window, double 
 LatticeMetric onLattice(const MatchMetric& metric, const SearchWindow& window, double cell_size) {
   LatticeMetric lattice;
   lattice.weights = metric.weights;
+  lattice.overlap_only = metric.overlap_only;
   lattice.shift_cost = metric.shift_cost * cell_size * cell_size;
   if (!window.circular && window.turns > 0) {
     lattice.turn_cost = metric.turn_cost / (window.turns * window.turns);

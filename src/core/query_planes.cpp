@@ -7,6 +7,18 @@
 #include "turn_table.h"
 
 namespace place_memory::core {
+namespace {
+
+EvidenceGrid occupiedThroughout() {
+  EvidenceGrid grid;
+  for (int row = 0; row < kGridSize; ++row) {
+    for (int column = 0; column < kGridSize; ++column) grid.add(row, column, 1);
+  }
+  return grid;
+}
+
+}  // namespace
+
 CellPlanes turned(const CellPlanes& grid, double angle) {
   return TurnTable(angle).turn(CellBytes(grid));
 }
@@ -30,6 +42,21 @@ PairCounts countPairs(const CellPlanes& recognition, CellShift shift, const Cell
   return {{{ee, eu, eo}, {ue, uu, uo}, {oe, ou, oo}}};
 }
 
+PairCounts countOverlap(const CellPlanes& recognition, const BitPlane& reach, CellShift shift,
+                        const CellPlanes& learned) {
+  constexpr auto kEmpty = static_cast<std::size_t>(CellClass::kEmpty);
+  constexpr auto kUnsensed = static_cast<std::size_t>(CellClass::kUnsensed);
+  constexpr auto kOccupied = static_cast<std::size_t>(CellClass::kOccupied);
+  CellPlanes covered;
+  covered.occupied = reach;
+  const PairCounts of_covered = countPairs(covered, shift, learned);
+  PairCounts counts = countPairs(recognition, shift, learned);
+  for (std::size_t l = 0; l < kCellClasses; ++l) {
+    counts[kUnsensed][l] = of_covered[kOccupied][l] - counts[kEmpty][l] - counts[kOccupied][l];
+  }
+  return counts;
+}
+
 QueryPlanes::QueryPlanes(const EvidenceGrid& grid, double heading_step, int turns)
     : heading_step_(heading_step), turns_(turns) {
   if (heading_step == kHeadingStep && turns <= kHalfCircle) {
@@ -40,6 +67,14 @@ QueryPlanes::QueryPlanes(const EvidenceGrid& grid, double heading_step, int turn
   for (int turn = -turns; turn <= turns; ++turn) {
     planes_.push_back(TurnTable(turn * heading_step).turn(cells));
   }
+}
+
+BitPlane QueryPlanes::reach(int turn) const {
+  if (heading_step_ != kHeadingStep || turns_ > kHalfCircle) {
+    return turned(CellPlanes(occupiedThroughout()), turn * heading_step_).occupied;
+  }
+  static const std::vector<CellPlanes> kBySteps = turnedBySteps(occupiedThroughout(), kHalfCircle);
+  return kBySteps[static_cast<std::size_t>(turn + kHalfCircle)].occupied;
 }
 
 }  // namespace place_memory::core

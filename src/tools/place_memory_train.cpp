@@ -26,6 +26,7 @@ namespace {
 
 namespace options = boost::program_options;
 using place_memory::config::MatchPreset;
+using place_memory::core::MatchMetric;
 using place_memory::trials::TrialSet;
 using namespace place_memory::training;
 
@@ -116,10 +117,9 @@ std::vector<TrialSet> simulate(std::uint64_t first, std::uint64_t count) {
 
 using Lists = std::vector<CandidateList>;
 
-std::vector<Lists> align(const std::vector<TrialSet>& sets, const Features& weights) {
+std::vector<Lists> align(const std::vector<TrialSet>& sets, const MatchMetric& metric) {
   static const place_memory::core::SonarModel model{{}};
   std::vector<Lists> lists(sets.size());
-  const auto metric = asMetric(weights);
   forEach(sets.size(), "buildings matched",
           [&](std::size_t i) { lists[i] = alignAll(sets[i], model, metric); });
   return lists;
@@ -148,12 +148,12 @@ void mergeRound(const Lists& round, Lists& merged) {
 
 /// Fits the metric in rounds, then the second look at what the last metric ranks first.
 RankingWeights fitWeights(const std::vector<TrialSet>& sets, double ridge) {
-  const Eigen::VectorXd prior = asWeights(place_memory::core::MatchMetric{kPriorWeights, 0.0, 0.0});
+  const Eigen::VectorXd prior = asWeights(MatchMetric{kPriorWeights, 0.0, 0.0});
   RankingWeights weights;
   weights.metric = prior;
   Lists merged;
   for (int round = 1; round <= kRounds; ++round) {
-    const Lists lists = joined(align(sets, weights.metric));
+    const Lists lists = joined(align(sets, asMetric(weights.metric)));
     mergeRound(lists, merged);
     weights.metric = fitRanking(firstChoices(merged), prior, ridge, kCosts);
     std::cout << "round " << round << ": " << lists.size() << " scans, loss "
@@ -161,7 +161,7 @@ RankingWeights fitWeights(const std::vector<TrialSet>& sets, double ridge) {
               << topOne(firstChoices(lists), weights.metric) << std::endl;
   }
   const std::vector<Choice> choices =
-      secondChoices(joined(align(sets, weights.metric)), weights.metric);
+      secondChoices(joined(align(sets, asMetric(weights.metric))), weights.metric);
   const Eigen::VectorXd look =
       fitRanking(choices, asWeights(place_memory::core::SecondLook{}), kSecondLookRidge, 0);
   std::cout << "second look: loss " << rankingLoss(choices, look) << ", top-1 "
@@ -172,9 +172,8 @@ RankingWeights fitWeights(const std::vector<TrialSet>& sets, double ridge) {
 
 /// Scans of places that are not in the memory: places left out, and places of the next building.
 Lists strangersTo(const std::vector<TrialSet>& sets, const std::vector<Lists>& aligned,
-                  const Features& weights) {
+                  const MatchMetric& metric) {
   const place_memory::core::SonarModel model{{}};
-  const auto metric = asMetric(weights);
   std::vector<Lists> strangers(2 * sets.size());
   forEach(sets.size(), "memories put to strangers", [&](std::size_t i) {
     strangers[2 * i] = withoutNearPlaces(sets[i], aligned[i], kStrangerDistance);
@@ -205,17 +204,17 @@ int train(const Settings& settings) {
   const RankingWeights weights{asWeights(preset.metric), preset.second_look};
 
   const std::vector<TrialSet> sets = simulate(for_metric, settings.seeds - for_metric);
-  const std::vector<Lists> aligned = align(sets, weights.metric);
+  const std::vector<Lists> aligned = align(sets, preset.metric);
   preset.calibration =
-      fitCalibration(joined(aligned), strangersTo(sets, aligned, weights.metric), weights);
+      fitCalibration(joined(aligned), strangersTo(sets, aligned, preset.metric), weights);
   preset.calibration.sharpness =
       fitSharpness(sets, place_memory::core::SonarModel{{}}, preset.metric);
   writePreset(settings.out, settings.origin, preset);
 
   const std::vector<TrialSet> others = simulate(settings.seeds, settings.held_back);
-  const std::vector<Lists> held_back = align(others, weights.metric);
+  const std::vector<Lists> held_back = align(others, preset.metric);
   const CalibrationReport report =
-      reportCalibration(joined(held_back), strangersTo(others, held_back, weights.metric), weights,
+      reportCalibration(joined(held_back), strangersTo(others, held_back, preset.metric), weights,
                         preset.calibration, kConfidence);
   const std::vector<Choice> choices = firstChoices(joined(held_back));
   std::cout << "held back: first look: loss " << rankingLoss(choices, weights.metric) << ", top-1 "

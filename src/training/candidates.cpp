@@ -10,8 +10,12 @@ namespace place_memory::training {
 namespace {
 
 Features featuresAt(const core::QueryPlanes& query, const core::CellPlanes& learned,
-                    const core::Alignment& at, const core::SearchWindow& window, double cell_size) {
-  const core::PairCounts counts = core::countPairs(query.at(at.turn), at.shift, learned);
+                    const core::Alignment& at, const core::SearchWindow& window, double cell_size,
+                    bool overlap_only) {
+  const core::CellPlanes& turned = query.at(at.turn);
+  const core::PairCounts counts =
+      overlap_only ? core::countOverlap(turned, query.reach(at.turn), at.shift, learned)
+                   : core::countPairs(turned, at.shift, learned);
   Features features;
   Eigen::Index i = 0;
   for (const auto& row : counts) {
@@ -49,7 +53,8 @@ class Memory {
     CandidateList list;
     list.cell_size = set_.cell_size;
     list.weight = 1.0 / std::sqrt(static_cast<double>(set_.trials.size()));
-    list.own = featuresAt(query, core::CellPlanes(grid), {}, window, set_.cell_size);
+    list.own =
+        featuresAt(query, core::CellPlanes(grid), {}, window, set_.cell_size, metric_.overlap_only);
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const core::Alignment found =
           core::findAlignment(query, places_[i], metric, window, core::SearchMethod::kRestarts);
@@ -63,7 +68,7 @@ class Memory {
       const bool at_truth = right || (!accept.empty() && near(map_from_scan, trial.map_from_scan));
       list.candidates.push_back(
           {i, right, at_truth, place_from_scan, map_from_scan,
-           featuresAt(query, places_[i], found, window, set_.cell_size),
+           featuresAt(query, places_[i], found, window, set_.cell_size, metric_.overlap_only),
            core::countClosely(query.at(found.turn), found.shift, places_[i])});
     }
     return list;

@@ -47,6 +47,11 @@ void writePreset(const std::string& path, const std::string& origin,
        << "  # of the shift's square [points / m^2], >= 0\n"
        << "turn_cost: " << number(preset.metric.turn_cost)
        << "  # of a turn to the edge of the heading window, by its square [points], >= 0\n";
+  if (preset.metric.overlap_only) {
+    file << "\n# Only cells where the moved recognition grid and the learned one overlap are "
+            "pairs.\n"
+            "overlap_only: true\n";
+  }
   if (preset.second_look) writeSecondLook(file, *preset.second_look);
   const core::Calibration& c = preset.calibration;
   file << "\n# From scores to probabilities: coefficients of the log odds that the best match is "

@@ -45,6 +45,20 @@ double scoreAt(const QueryPlanes& query, const CellPlanes& learned, CellShift sh
   return pairScore(countPairs(query.at(turn), shift, learned), kWeights);
 }
 
+TEST(FindAlignment, OverlapAloneCountsWhereItIsAskedFor) {
+  const Trial trial = randomTrial(5, 0.4, 0.2);
+  const SearchWindow window{9, 15, false};
+  const QueryPlanes query(trial.recognition, kStep, window.turns);
+  LatticeMetric metric{kPaperWeights, 0.0, 0.0, true};
+  for (const SearchMethod method : kMethods) {
+    const Alignment found = findAlignment(query, trial.learned, metric, window, method);
+    EXPECT_DOUBLE_EQ(found.score,
+                     pairScore(countOverlap(query.at(found.turn), query.reach(found.turn),
+                                            found.shift, trial.learned),
+                               kPaperWeights));
+  }
+}
+
 /// Within a cell and a step of the truth, which itself lies between the cells and steps.
 bool isRecovered(const Trial& trial, const Alignment& found) {
   const double off = wrapAngle(found.turn * kStep - trial.truth.yaw);

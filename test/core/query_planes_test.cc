@@ -214,6 +214,51 @@ TEST(CountPairs, EachPairOfClassesHasItsPlace) {
   }
 }
 
+TEST(CountOverlap, EqualsTheCountCellByCellWhereTheGridsOverlap) {
+  const NamedGrid recognition = randomGrid(8), learned = randomGrid(9);
+  const QueryPlanes query(recognition.grid, 0.1, 9);
+  const CellPlanes learned_planes(learned.grid);
+  for (const int turn : {-9, -4, 0, 1, 7}) {
+    const BitPlane reach = query.reach(turn);
+    for (const CellShift shift : sampledShifts()) {
+      PairCounts expected{};
+      for (int row = 0; row < kGridSize; ++row) {
+        for (int column = 0; column < kGridSize; ++column) {
+          const int to_row = row + shift.rows, to_column = column + shift.columns;
+          if (to_row < 0 || to_row >= kGridSize || to_column < 0 || to_column >= kGridSize)
+            continue;
+          if (!bit(reach, row, column)) continue;
+          const auto r = static_cast<std::size_t>(classOf(query.at(turn), row, column));
+          const auto l = static_cast<std::size_t>(classOf(learned.grid.at(to_row, to_column)));
+          ++expected[r][l];
+        }
+      }
+      ASSERT_EQ(countOverlap(query.at(turn), reach, shift, learned_planes), expected)
+          << turn << " turns, " << shift.columns << " columns, " << shift.rows << " rows";
+    }
+  }
+}
+
+TEST(QueryPlanes, ReachIsWhereTheTurnedGridLies) {
+  for (const double step : {3.0 * kPi / 180.0, 0.1}) {
+    const QueryPlanes query(randomGrid(6).grid, step, 5);
+    const GridGeometry geometry{1.0};
+    for (const int turn : {-5, 0, 2}) {
+      const BitPlane reach = query.reach(turn);
+      for (int row = 0; row < kGridSize; ++row) {
+        for (int column = 0; column < kGridSize; ++column) {
+          const Pose2d at{geometry.centre(column), geometry.centre(row), 0.0};
+          const Pose2d was = Pose2d{0.0, 0.0, turn * step}.inverse() * at;
+          const int from_row = geometry.index(was.y), from_column = geometry.index(was.x);
+          const bool inside =
+              from_row >= 0 && from_row < kGridSize && from_column >= 0 && from_column < kGridSize;
+          ASSERT_EQ(bit(reach, row, column), inside) << turn << ", " << row << ", " << column;
+        }
+      }
+    }
+  }
+}
+
 TEST(PairScore, ThePapersWeightsGiveAPointForEachPairOfTheSameClass) {
   EXPECT_DOUBLE_EQ(pairScore({{{5, 1, 1}, {1, 7, 1}, {1, 1, 11}}}, kPaperWeights), 23.0);
 }

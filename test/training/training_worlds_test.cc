@@ -55,6 +55,7 @@ TEST(WritePreset, IsReadBackAsItWas) {
   preset.metric.weights = {{{0.5, -1.25, 2.0}, {0.0, 0.125, -3.0}, {4.0, -5.5, 6.0}}};
   preset.metric.shift_cost = 1.5;
   preset.metric.turn_cost = 2.5;
+  preset.metric.overlap_only = true;
   core::SecondLook look;
   look.first = 0.75;
   look.inner = {{{3.5, -2.25, 1.0}, {0.5, 0.25, -6.0}, {8.0, -0.5, 16.0}}};
@@ -70,6 +71,7 @@ TEST(WritePreset, IsReadBackAsItWas) {
   EXPECT_EQ(read.metric.weights, preset.metric.weights);
   EXPECT_EQ(read.metric.shift_cost, 1.5);
   EXPECT_EQ(read.metric.turn_cost, 2.5);
+  EXPECT_TRUE(read.metric.overlap_only);
   ASSERT_TRUE(read.second_look);
   EXPECT_EQ(read.second_look->first, 0.75);
   EXPECT_EQ(read.second_look->inner, look.inner);

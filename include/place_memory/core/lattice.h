@@ -27,6 +27,7 @@ struct LatticeMetric {
   PairWeights weights = kPaperWeights;
   double shift_cost = 0.0;  ///< [points / cell^2]
   double turn_cost = 0.0;   ///< [points / heading step^2]
+  bool overlap_only = false;
 };
 
 LatticeMetric onLattice(const MatchMetric& metric, const SearchWindow& window, double cell_size);

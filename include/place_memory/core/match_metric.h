@@ -13,6 +13,10 @@ struct MatchMetric {
   /// For a turn to the edge of the heading window, growing with its square [points], >= 0. Free
   /// where every heading is sought.
   double turn_cost = 0.0;
+  /// Pairs are those of cells where the moved recognition grid and the learned one overlap, as
+  /// transforms of the one are mostly understood. Else the recognition grid is unsensed beyond its
+  /// rim, every learned cell is one of a pair, and a shift by itself costs no points.
+  bool overlap_only = false;
 };
 
 }  // namespace place_memory::core

@@ -24,6 +24,11 @@ struct CellShift {
 /// it is unsensed. Shifts in [-63, 63].
 PairCounts countPairs(const CellPlanes& recognition, CellShift shift, const CellPlanes& learned);
 
+/// Likewise, but for the learned cells alone that the recognition grid reaches: those of
+/// QueryPlanes::reach(), shifted.
+PairCounts countOverlap(const CellPlanes& recognition, const BitPlane& reach, CellShift shift,
+                        const CellPlanes& learned);
+
 /// The recognition grid at every heading of a search, made once and used for every place.
 class QueryPlanes {
  public:
@@ -37,6 +42,8 @@ class QueryPlanes {
     const int index = turn + turns_;
     return planes_[static_cast<std::size_t>(index)];
   }
+  /// The cells that the turned grid covers.
+  BitPlane reach(int turn) const;
 
  private:
   double heading_step_;
