@@ -9,10 +9,10 @@ namespace {
 
 /// So many places are all looked at closely; of more, a part that grows less than they do.
 constexpr double kAllClose = 1024.0;
-constexpr double kCloseGrowth = 0.8;
+constexpr double kCloseGrowth = 0.7;
 /// Likewise those that are climbed for: all of so few.
 constexpr double kLeastClimbed = 64.0;
-constexpr double kClimbedGrowth = 0.6;
+constexpr double kClimbedGrowth = 0.5;
 
 /// So many of the first are settled: the order of the others matters less.
 constexpr std::size_t kSurelySettled = 12;
