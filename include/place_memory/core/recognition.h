@@ -33,7 +33,8 @@ struct PlaceMatch {
 /// The answer to one scan.
 struct Recognition {
   Verdict verdict = Verdict::kUnknown;
-  /// Every place: the chosen one first, the others by falling score; equal scores: lower id first.
+  /// Every place, of more than 1024 the best of them: the chosen one first, the others by falling
+  /// score; equal scores: lower id first.
   std::vector<PlaceMatch> matches;
   /// Robot's base at the end of the scan, in the map frame, by the best match (paper 9); identity
   /// where there is no match.
