@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <stdexcept>
 
 #include "threads.h"
 
@@ -61,6 +62,7 @@ FullSearch::FullSearch(const core::QueryPlanes& query, const core::LatticeMetric
       window_(window),
       good_(factors(metric.weights, true)),
       bad_(factors(metric.weights, false)) {
+  if (metric.overlap_only) throw std::invalid_argument("the metric counts overlapping cells only");
   const int last_turn = window.circular ? window.turns - 1 : window.turns;
   for (int turn = -window.turns; turn <= last_turn; ++turn) {
     for (int row = -window.cells; row <= window.cells; row += kGroupSide) {

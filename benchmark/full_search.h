@@ -22,7 +22,8 @@ struct ScoredPlace {
 /// what is bad only where all of them have it.
 class FullSearch {
  public:
-  /// Keeps a reference to the planes.
+  /// Keeps a reference to the planes. Throws std::invalid_argument where the metric counts pairs of
+  /// overlapping cells only: the bounds do not hold for it.
   FullSearch(const core::QueryPlanes& query, const core::LatticeMetric& metric,
              const core::SearchWindow& window);
 

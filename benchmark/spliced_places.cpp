@@ -19,6 +19,11 @@ constexpr double kFarthest = 18.0;
 /// Spliced buildings lie about on a map of this size [m].
 constexpr double kMapSize = 1e5;
 
+std::size_t cellOf(int row, int column) {
+  const int cell = row * kGridSize + column;
+  return static_cast<std::size_t>(cell);
+}
+
 /// For each cell of a turned, and perhaps then mirrored, grid the cell it comes from.
 using Sources = std::array<std::uint16_t, core::kGridCells>;
 
@@ -33,8 +38,7 @@ Sources sourcesOf(int quarter_turns, bool mirrored) {
         row = column;
         column = turned;
       }
-      sources[static_cast<std::size_t>(to_row * kGridSize + to_column)] =
-          static_cast<std::uint16_t>(row * kGridSize + column);
+      sources[cellOf(to_row, to_column)] = static_cast<std::uint16_t>(cellOf(row, column));
     }
   }
   return sources;
@@ -46,8 +50,8 @@ Cells transformed(const Cells& cells, int quarter_turns, bool mirrored) {
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = sourcesOf(static_cast<int>(i / 2), i % 2);
     return all;
   }();
-  const Sources& sources =
-      kSources[static_cast<std::size_t>(2 * quarter_turns + (mirrored ? 1 : 0))];
+  const int symmetry = 2 * quarter_turns + (mirrored ? 1 : 0);
+  const Sources& sources = kSources[static_cast<std::size_t>(symmetry)];
   Cells result;
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = cells[sources[i]];
   return result;
@@ -62,7 +66,7 @@ void splice(const Cells& other, sim::Rng& rng, Cells& cells) {
   for (int row = 0; row < kGridSize; ++row) {
     for (int column = 0; column < kGridSize; ++column) {
       if (c * (column - 0.5 * kLast) + s * (row - 0.5 * kLast) <= distance) continue;
-      const auto cell = static_cast<std::size_t>(row * kGridSize + column);
+      const std::size_t cell = cellOf(row, column);
       cells[cell] = other[cell];
     }
   }

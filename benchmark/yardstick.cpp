@@ -17,6 +17,11 @@ constexpr double kFirstStep = 0.5 * kWindow;         // [m]
 constexpr double kFirstTurn = 0.5 * kHeadingWindow;  // [rad]
 constexpr int kRestarts = 8;
 
+std::size_t cellOf(int row, int column) {
+  const int cell = row * kGridSize + column;
+  return static_cast<std::size_t>(cell);
+}
+
 class Climb {
  public:
   Climb(const CellClasses& scan, const CellClasses& place, double cell_size, bool any_heading)
@@ -24,10 +29,12 @@ class Climb {
 
   YardstickMatch from(double yaw) {
     YardstickMatch best = evaluate({0.0, 0.0, yaw});
+    double step = kFirstStep;
     double turn = kFirstTurn;
-    for (double step = kFirstStep; step >= 0.5 * cell_size_; step /= 2.0, turn /= 2.0) {
-      while (improve(step, turn, best)) {
-      }
+    while (step >= 0.5 * cell_size_) {
+      if (improve(step, turn, best)) continue;
+      step *= 0.5;
+      turn *= 0.5;
     }
     best.evaluations = evaluations_;
     return best;
@@ -52,9 +59,7 @@ class Climb {
             static_cast<int>(c * x - s * y + column_shift + kGridSize) - kGridSize;
         const int to_row = static_cast<int>(s * x + c * y + row_shift + kGridSize) - kGridSize;
         if (to_column < 0 || to_column >= kGridSize || to_row < 0 || to_row >= kGridSize) continue;
-        const auto from = static_cast<std::size_t>(row * kGridSize + column);
-        const auto to = static_cast<std::size_t>(to_row * kGridSize + to_column);
-        score += scan_[from] == place_[to] ? 1 : 0;
+        score += scan_[cellOf(row, column)] == place_[cellOf(to_row, to_column)] ? 1 : 0;
       }
     }
     return {pose, score, 0};

@@ -32,7 +32,10 @@ TEST_P(FullSearchTest, FindsWhatTryingEverythingFinds) {
   const core::PlaceIndex index = SyntheticMemory(*simulated_, 21).index();
   const core::SearchWindow window =
       core::searchWindow(0.6, GetParam().heading_window, core::kDefaultCellSize);
-  const core::LatticeMetric metric{GetParam().weights, 0.01, 0.02};
+  core::LatticeMetric metric;
+  metric.weights = GetParam().weights;
+  metric.shift_cost = 0.01;
+  metric.turn_cost = 0.02;
   for (const std::size_t q : {0U, 7U, 16U}) {
     const core::QueryPlanes query(simulated_->local[q].scan.grid, core::kHeadingStep, window.turns);
     ScoredPlace expected;
@@ -54,6 +57,13 @@ TEST_P(FullSearchTest, FindsWhatTryingEverythingFinds) {
     EXPECT_EQ(found.id, expected.id);
     EXPECT_EQ(found.score, expected.score);
   }
+}
+
+TEST(FullSearch, RefusesAMetricThatItsBoundsDoNotHoldFor) {
+  core::LatticeMetric metric;
+  metric.overlap_only = true;
+  const core::QueryPlanes query(core::EvidenceGrid(), core::kHeadingStep, 1);
+  EXPECT_THROW(FullSearch(query, metric, {1, 1, false}), std::invalid_argument);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, FullSearchTest,
