@@ -13,8 +13,9 @@ constexpr int kAsideCells = 1;
 constexpr int kAsideTurns = 5;
 
 std::size_t transformsOf(const SearchWindow& window) {
-  const auto side = static_cast<std::size_t>(2 * window.cells + 1);
-  return side * side * static_cast<std::size_t>(2 * window.turns + 1);
+  const int side = 2 * window.cells + 1;
+  const int transforms = side * side * (2 * window.turns + 1);
+  return static_cast<std::size_t>(transforms);
 }
 
 }  // namespace

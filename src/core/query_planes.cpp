@@ -74,7 +74,8 @@ BitPlane QueryPlanes::reach(int turn) const {
     return turned(CellPlanes(occupiedThroughout()), turn * heading_step_).occupied;
   }
   static const std::vector<CellPlanes> kBySteps = turnedBySteps(occupiedThroughout(), kHalfCircle);
-  return kBySteps[static_cast<std::size_t>(turn + kHalfCircle)].occupied;
+  const int index = turn + kHalfCircle;
+  return kBySteps[static_cast<std::size_t>(index)].occupied;
 }
 
 }  // namespace place_memory::core

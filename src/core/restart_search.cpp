@@ -64,7 +64,7 @@ std::vector<PlaceAlignment> RestartSearch::run() const {
 
 std::vector<Glimpse> RestartSearch::shortlist() const {
   const std::size_t close = partOf(size_, kAllClose, kCloseGrowth);
-  if (close >= size_) return looks_.everyPlace();
+  if (metric_.overlap_only || close >= size_) return looks_.everyPlace();
   const StartLattice lattice(query_, fixed_, window_, kFirstLook, pool_);
   std::vector<Glimpse> seen = looks_.lookFirst(lattice);
   selectBest(seen.data(), close, seen.data() + seen.size());
@@ -81,7 +81,9 @@ std::vector<RestartSearch::Ranked> RestartSearch::rank(const StartLattice& latti
   Glimpse* best_end = end;
   std::vector<Ranked> ranked;
   const std::size_t climbed = partOf(size_, kLeastClimbed, kClimbedGrowth);
-  if (climbed < seen.size()) {
+  // Looks take cells beyond the rim as unsensed: they show starts for another metric, but not which
+  // places score high.
+  if (!metric_.overlap_only && climbed < seen.size()) {
     looks_.lookClosely(lattice, seen.data(), end);
     best_end = selectBest(seen.data(), climbed, end);
     const std::size_t others = kMostRanked - std::min(climbed, kMostRanked);

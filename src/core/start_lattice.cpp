@@ -29,13 +29,13 @@ StartLattice::StartLattice(const QueryPlanes& query, const FixedMetric& metric,
     : look_(look),
       circular_(window.circular),
       most_cells_(window.cells - window.cells % look.cells),
-      side_(static_cast<std::size_t>(2 * (most_cells_ / look.cells) + 1)),
+      side_(1 + 2 * static_cast<std::size_t>(most_cells_ / look.cells)),
       factors_(metric.factors(look.shares)),
       kernel_(fastestBlockKernel()) {
   const int most_turns = circular_ ? window.turns : window.turns - window.turns % look.turns;
   const int last_turn = circular_ ? window.turns - 1 : most_turns;
   first_turn_ = -most_turns;
-  turns_ = static_cast<std::size_t>((last_turn - first_turn_) / look.turns + 1);
+  turns_ = 1 + static_cast<std::size_t>((last_turn - first_turn_) / look.turns);
   query_.resize(turns_ * side_ * side_ * look.rows);
   offsets_.resize(turns_ * side_ * side_);
   const std::size_t shifts = side_ * side_;
@@ -85,6 +85,7 @@ std::vector<Alignment> StartLattice::bestStarts(const std::vector<BlockScores>& 
   });
   if (best.size() > most) best.resize(most);
   std::vector<Alignment> starts;
+  starts.reserve(best.size());
   for (const std::size_t i : best) starts.push_back(start(i));
   return starts;
 }

@@ -72,6 +72,7 @@ TurnTable::TurnTable(double angle) {
   constexpr double kMiddle = 0.5 * (kGridSize - 1);
   const double c = std::cos(angle);
   const double s = std::sin(angle);
+  auto to = from_.begin();
   for (int row = 0; row < kGridSize; ++row) {
     for (int column = 0; column < kGridSize; ++column) {
       const double x = column - kMiddle;
@@ -80,8 +81,7 @@ TurnTable::TurnTable(double angle) {
       const long from_row = std::lround(-s * x + c * y + kMiddle);
       const bool inside =
           from_column >= 0 && from_column < kGridSize && from_row >= 0 && from_row < kGridSize;
-      from_[static_cast<std::size_t>(row * kGridSize + column)] =
-          static_cast<std::uint16_t>(inside ? from_row * kGridSize + from_column : kGridCells);
+      *to++ = static_cast<std::uint16_t>(inside ? from_row * kGridSize + from_column : kGridCells);
     }
   }
 }
@@ -112,9 +112,11 @@ CellPlanes quarterTurned(const CellPlanes& cells) {
 std::vector<CellPlanes> turnedBySteps(const EvidenceGrid& grid, int turns) {
   static const TurnTables tables;
   const CellBytes cells(grid);
-  std::vector<CellPlanes> turned(static_cast<std::size_t>(2 * turns + 1));
+  const int count = 2 * turns + 1;
+  std::vector<CellPlanes> turned(static_cast<std::size_t>(count));
   const auto at = [&](int turn) -> CellPlanes& {
-    return turned[static_cast<std::size_t>(turn + turns)];
+    const int index = turn + turns;
+    return turned[static_cast<std::size_t>(index)];
   };
   for (int base = 0; base < kQuarter; ++base) {
     // base, and what quarter turns make of it, by rising angle.

@@ -106,6 +106,24 @@ TEST(PlaceSearch, FindsWhatTheExhaustiveSearchFindsAtAnyHeading) {
   }
 }
 
+TEST(PlaceSearch, TakesPairsWhereGridsOverlapAlone) {
+  LatticeMetric metric;
+  metric.overlap_only = true;
+  std::mt19937 engine(70);
+  WorkerPool pool(2);
+  const PlaceIndex places = spliced(100);
+  for (PlaceId id = 1; id <= 3; ++id) {
+    const QueryPlanes query(scanIn(id, engine, 0.25), kHeadingStep, kWindow.turns);
+    const auto found =
+        searchPlaces(query, places, metric, kWindow, SearchMethod::kRestarts, nullptr, pool);
+    const auto best =
+        searchPlaces(query, places, metric, kWindow, SearchMethod::kExhaustive, nullptr, pool);
+    ASSERT_EQ(found.size(), places.size());
+    EXPECT_EQ(found.front().entry->id, best.front().entry->id);
+    EXPECT_EQ(found.front().alignment.score, best.front().alignment.score);
+  }
+}
+
 TEST(PlaceSearch, TheNumberOfThreadsDoesNotMatter) {
   std::mt19937 engine(63);
   const PlaceIndex places = spliced(1300);
