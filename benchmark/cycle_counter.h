@@ -3,25 +3,35 @@
 
 #include <benchmark/benchmark.h>
 
+#include <ctime>
+
 #include "clock_rate.h"
 
 namespace place_memory::measure {
 
-/// Gives a benchmark the counter `cycles`: those of an iteration.
+/// Gives a benchmark the counter `cycles`: those of an iteration, by the time that this thread had
+/// the core. It goes around the timed loop.
 class CycleCounter {
  public:
-  explicit CycleCounter(::benchmark::State& state) : state_(state) {}
+  explicit CycleCounter(::benchmark::State& state)
+      : state_(state), rate_(cyclesPerSecond()), begin_(threadSeconds()) {}
   ~CycleCounter() {
-    using ::benchmark::Counter;
-    state_.counters["cycles"] =
-        Counter(1.0 / rate_, Counter::kIsIterationInvariantRate | Counter::kInvert);
+    const double seconds = threadSeconds() - begin_;
+    state_.counters["cycles"] = seconds * rate_ / static_cast<double>(state_.iterations());
   }
   CycleCounter(const CycleCounter&) = delete;
   CycleCounter& operator=(const CycleCounter&) = delete;
 
  private:
+  static double threadSeconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+
   ::benchmark::State& state_;
-  double rate_ = cyclesPerSecond();
+  double rate_;
+  double begin_;
 };
 
 }  // namespace place_memory::measure

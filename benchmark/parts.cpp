@@ -58,8 +58,6 @@ void gridBuilding(State& state, Setting& setting) {
     ::benchmark::DoNotOptimize(grid.cells().data());
     readings += static_cast<double>(scan.readings.size());
   }
-  using ::benchmark::Counter;
-  state.counters["seconds_per_reading"] = Counter(readings, Counter::kIsRate | Counter::kInvert);
   state.counters["readings"] = readings / static_cast<double>(next);
 }
 

@@ -106,8 +106,8 @@ def recognition(results):
                 share_words(results.get("recognition" + end, "recognized")),
                 share_words(results.get("recognition" + end, "sure_and_wrong")),
                 "%d" % results.get("recognition" + end, "queries")])
-    return table(["heading", "places", "a scan", "its CPU time", "a place", "yardstick", "ratio", "top-1",
-                  "yardstick's", "recognized", "sure and wrong", "queries"], rows)
+    return table(["heading", "places", "a scan", "its CPU time", "a place", "yardstick", "ratio",
+                  "top-1", "yardstick's", "recognized", "sure and wrong", "queries"], rows)
 
 
 def full_search(results):
@@ -125,14 +125,22 @@ def full_search(results):
 
 
 def parts(results):
-    rows = [["one evaluation, %s kernel" % name.split("/")[1], time_words(results.get(name)),
-             "%.1f" % results.get(name, "cycles")] for name in results.names("evaluation/")]
+    def cpu(name):
+        return results.get(name, "cpu_seconds")
+
+    rows = []
+    for name in results.names("evaluation/"):
+        kernel = name.split("/")[1]
+        what = "of a single place" if kernel == "one" else kernel + " kernel"
+        rows.append(["one evaluation, " + what, time_words(cpu(name)),
+                     "%.1f" % results.get(name, "cycles")])
     for name, what in (("preparation/local", "query planes, heading window of 45 degrees"),
                        ("preparation/any", "query planes, any heading"),
                        ("grid", "evidence grid of a scan of 16 sonars")):
-        rows.append([what, time_words(results.get(name)), ""])
-    rows.append(["the same, a reading", time_words(results.get("grid", "seconds_per_reading")), ""])
-    return table(["part", "time", "cycles"], rows)
+        rows.append([what, time_words(cpu(name)), ""])
+    readings = results.get("grid", "readings")
+    rows.append(["the same, a reading", time_words(readings and cpu("grid") / readings), ""])
+    return table(["part", "CPU time", "cycles"], rows)
 
 
 def store(results):
