@@ -154,7 +154,8 @@ TEST_P(EachKernel, EachKindOfPairHasItsFactor) {
 TEST_P(EachKernel, TakesAnyNumberOfTransforms) {
   const Grids grids = draw(kDraws[0], kDraws[0], 16, 78);
   for (std::size_t transforms = 1; transforms <= kMostTransforms; ++transforms) {
-    expectOracle({grids.places.data(), grids.query.data(), 16, transforms, {7, -5, -3, 2}, kOffsets});
+    expectOracle(
+        {grids.places.data(), grids.query.data(), 16, transforms, {7, -5, -3, 2}, kOffsets});
   }
 }
 

@@ -27,8 +27,8 @@ struct PlaneBlock {
   CellPlanes get(std::size_t slot) const;
 };
 
-/// The classes of 16 x 16 cells, each of sixteen cells of a grid, in no order that matters: the same
-/// bits of two grids stand for the same cells.
+/// The classes of 16 x 16 cells, each of sixteen cells of a grid, in no order that matters: the
+/// same bits of two grids stand for the same cells.
 constexpr std::size_t kCoarsestRows = 4;
 using CoarsestBlock = std::array<BlockRow, kCoarsestRows>;
 
