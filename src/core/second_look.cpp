@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "pair_kernel.h"
+
 namespace place_memory::core {
 namespace {
 
@@ -44,28 +46,23 @@ BitPlane widened(const BitPlane& plane) {
   return wide;
 }
 
-int countBoth(const BitPlane& a, const BitPlane& b) {
-  int cells = 0;
-  for (std::size_t row = 0; row < kGridSize; ++row) cells += __builtin_popcountll(a[row] & b[row]);
+PlaneCounts countCells(const BitPlane& a, const BitPlane& b, const BitPlane& c, const BitPlane& d) {
+  return countPlanes({a.data(), b.data(), c.data(), d.data(), kGridSize, 0});
+}
+
+CellPlanes inside(const BitPlane& disc, CellPlanes cells) {
+  for (std::size_t row = 0; row < kGridSize; ++row) {
+    cells.occupied[row] &= disc[row];
+    cells.empty[row] &= disc[row];
+  }
   return cells;
 }
 
 PairCounts pairsInside(const BitPlane& disc, const CellPlanes& scan, const CellPlanes& learned) {
-  PairCounts counts{};
-  for (std::size_t row = 0; row < kGridSize; ++row) {
-    const std::uint64_t cells = disc[row];
-    const auto classes = [&](const CellPlanes& planes) {
-      const std::uint64_t empty = planes.empty[row] & cells;
-      const std::uint64_t occupied = planes.occupied[row] & cells;
-      return std::array<std::uint64_t, kCellClasses>{empty, cells & ~empty & ~occupied, occupied};
-    };
-    const auto of_scan = classes(scan), of_learned = classes(learned);
-    for (std::size_t r = 0; r < kCellClasses; ++r) {
-      for (std::size_t l = 0; l < kCellClasses; ++l) {
-        counts[r][l] += __builtin_popcountll(of_scan[r] & of_learned[l]);
-      }
-    }
-  }
+  constexpr auto kUnsensed = static_cast<std::size_t>(CellClass::kUnsensed);
+  PairCounts counts = countPairs(inside(disc, scan), {0, 0}, inside(disc, learned));
+  const auto cells = static_cast<int>(countCells(disc, disc, disc, disc).occupied);
+  counts[kUnsensed][kUnsensed] -= kGridCells - cells;
   return counts;
 }
 
@@ -81,10 +78,14 @@ CloseCounts countClosely(const CellPlanes& recognition, CellShift shift,
   const BitPlane learned_one = widened(learned.occupied), learned_two = widened(learned_one);
   CloseCounts counts;
   counts.inner = pairsInside(kInner, scan, learned);
-  counts.near = {countBoth(scan.occupied, learned_one), countBoth(scan.occupied, learned_two),
-                 countBoth(scan_one, learned.occupied), countBoth(scan_two, learned.occupied),
-                 countBoth(scan_one, learned_one),      countBoth(scan.empty, learned_one),
-                 countBoth(scan_one, learned.empty)};
+  const PlaneCounts by_learned = countCells(scan.occupied, scan.empty, learned_one, learned_two);
+  const PlaneCounts by_scan = countCells(scan_one, scan_two, learned.occupied, learned.empty);
+  const PlaneCounts by_both = countCells(scan_one, scan_one, learned_one, learned_one);
+  const auto count = [](std::uint64_t cells) { return static_cast<int>(cells); };
+  counts.near = {count(by_learned.occupied_occupied), count(by_learned.occupied_empty),
+                 count(by_scan.occupied_occupied),    count(by_scan.empty_occupied),
+                 count(by_both.occupied_occupied),    count(by_learned.empty_occupied),
+                 count(by_scan.occupied_empty)};
   return counts;
 }
 
