@@ -71,6 +71,7 @@ int main(int argc, char** argv) {
       writeStore(options.store_to_write, setting.memory(options.max_places));
       return EXIT_SUCCESS;
     }
+    registerMemory(setting);
     registerKernels(setting);
     registerParts(setting);
     registerRecognition(setting);

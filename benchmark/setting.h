@@ -51,6 +51,7 @@ std::string benchmarkName(const std::string& what, bool any_heading, std::size_t
 void writeStore(const std::string& path, const SyntheticMemory& memory);
 
 // Each registers the benchmarks of one file; the setting has to outlive them.
+void registerMemory(Setting& setting);  ///< wants a fresh process
 void registerKernels(Setting& setting);
 void registerParts(Setting& setting);
 void registerRecognition(Setting& setting);
