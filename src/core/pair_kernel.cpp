@@ -7,7 +7,6 @@ std::uint64_t popcount(std::uint64_t word) {
   return static_cast<std::uint64_t>(__builtin_popcountll(word));
 }
 
-/// One source for every instruction set: the compiler makes vectors of it where it may use them.
 template <bool kLeft>
 [[gnu::always_inline]] inline PlaneCounts countRows(const RowPairs& pairs) {
   PlaneCounts n{};
@@ -38,24 +37,30 @@ PlaneCounts countPortable(const RowPairs& pairs) { return countBody(pairs); }
   return countBody(pairs);
 }
 
-[[gnu::target("avx512f,avx512vpopcntdq,popcnt"), gnu::optimize("O3")]] PlaneCounts countAvx512(
-    const RowPairs& pairs) {
-  return countBody(pairs);
-}
 #endif
 
 using Kernel = PlaneCounts (*)(const RowPairs&);
 
 Kernel fastestKernel() {
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512vpopcntdq")) return countAvx512;
-  if (__builtin_cpu_supports("popcnt")) return countPopcnt;
-#endif
-  return countPortable;
+  Kernel fastest = countPortable;
+  for (const NamedPairKernel& named : pairKernels()) {
+    if (named.runs_here) fastest = named.kernel;
+  }
+  return fastest;
 }
 
 }  // namespace
+
+std::vector<NamedPairKernel> pairKernels() {
+  std::vector<NamedPairKernel> kernels{{"portable", countPortable, true}};
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  kernels.push_back({"popcnt", countPopcnt, __builtin_cpu_supports("popcnt") != 0});
+  kernels.push_back(
+      {"avx512vpopcntdq", countPlanesAvx512, __builtin_cpu_supports("avx512vpopcntdq") != 0});
+#endif
+  return kernels;
+}
 
 PlaneCounts countPlanes(const RowPairs& pairs) {
   static const Kernel kernel = fastestKernel();

@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_CORE_PAIR_KERNEL_H
 
 #include <cstdint>
+#include <vector>
 
 namespace place_memory::core {
 
@@ -25,6 +26,19 @@ struct PlaneCounts {
 
 /// The same counts on every machine; as fast as its vector unit allows.
 PlaneCounts countPlanes(const RowPairs& pairs);
+
+struct NamedPairKernel {
+  const char* instructions;
+  PlaneCounts (*kernel)(const RowPairs& pairs);
+  bool runs_here;  ///< this processor has the instructions
+};
+
+/// Those compiled for this architecture, slowest first; the first one runs everywhere.
+std::vector<NamedPairKernel> pairKernels();
+
+#if defined(__x86_64__)
+PlaneCounts countPlanesAvx512(const RowPairs& pairs);
+#endif
 
 }  // namespace place_memory::core
 

@@ -11,8 +11,8 @@ namespace {
 constexpr double kAllClose = 1024.0;
 constexpr double kCloseGrowth = 0.7;
 /// Likewise those that are climbed for: all of so few.
-constexpr double kLeastClimbed = 64.0;
-constexpr double kClimbedGrowth = 0.5;
+constexpr double kLeastClimbed = 32.0;
+constexpr double kClimbedGrowth = 0.6;
 
 /// So many of the first are settled: the order of the others matters less.
 constexpr std::size_t kSurelySettled = 12;
