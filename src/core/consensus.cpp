@@ -32,7 +32,11 @@ Consensus findConsensus(const std::vector<Opinion>& opinions, double cell_size) 
     contradicting += 1.0;
     sum += opinion.score;
   }
-  if (contradicting > 0.0) consensus.prominence = best.score - sum / contradicting;
+  if (contradicting > 0.0) {
+    consensus.prominence = best.score - sum / contradicting;
+  } else {
+    consensus.uncontested = std::max(best.score, 0.0);
+  }
   return consensus;
 }
 

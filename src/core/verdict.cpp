@@ -7,7 +7,7 @@
 namespace place_memory::core {
 namespace {
 
-constexpr std::size_t kLead = 8, kProminence = 9;
+constexpr std::size_t kLead = 8, kProminence = 9, kUncontested = 10;
 /// A lead and a prominence that leave no doubt, in units of the scale.
 constexpr double kClear = 10.0;
 
@@ -52,6 +52,7 @@ Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCo
           share(closely.of(NearCells::kEmptyByOccupied), kEmpty),
           std::log1p(scale * std::max(consensus.lead, 0.0)),
           scale * consensus.prominence,
+          scale * consensus.uncontested,
           1.0 / static_cast<double>(std::max<std::size_t>(places, 1))};
 }
 
@@ -66,12 +67,13 @@ void judge(const Support& support, const Calibration& calibration, double confid
     const double rest = std::min(calibration.others * (1.0 - probability), probability);
     shareAmongOthers(rest, calibration.scale, matches);
   }
+  const bool contested = support[kUncontested] == 0.0;
   Support clear = support;
   clear[kLead] = std::max(clear[kLead], std::log1p(kClear));
   clear[kProminence] = std::max(clear[kProminence], kClear);
   if (probability >= confidence) {
     recognition.verdict = Verdict::kRecognized;
-  } else if (probabilityOf(calibration, clear) >= confidence) {
+  } else if (contested && probabilityOf(calibration, clear) >= confidence) {
     recognition.verdict = Verdict::kAmbiguous;
   }
 }

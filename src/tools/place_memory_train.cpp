@@ -205,8 +205,10 @@ int train(const Settings& settings) {
 
   const std::vector<TrialSet> sets = simulate(for_metric, settings.seeds - for_metric);
   const std::vector<Lists> aligned = align(sets, preset.metric);
-  preset.calibration =
-      fitCalibration(joined(aligned), strangersTo(sets, aligned, preset.metric), weights);
+  const Lists known = joined(aligned);
+  const Lists strangers = strangersTo(sets, aligned, preset.metric);
+  preset.calibration = fitCalibration(joined({known, amongFewPlaces(known)}),
+                                      joined({strangers, amongFewPlaces(strangers)}), weights);
   preset.calibration.sharpness =
       fitSharpness(sets, place_memory::core::SonarModel{{}}, preset.metric);
   writePreset(settings.out, settings.origin, preset);

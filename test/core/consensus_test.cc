@@ -12,6 +12,7 @@ TEST(FindConsensus, ALonePlaceIsChosenAndNothingContradictsIt) {
   EXPECT_EQ(consensus.chosen, 0U);
   EXPECT_EQ(consensus.lead, 0.0);
   EXPECT_EQ(consensus.prominence, 0.0);
+  EXPECT_EQ(consensus.uncontested, 7.0);
 }
 
 TEST(FindConsensus, OfThoseThatAgreeTheNearestPlaceIsChosen) {
@@ -49,6 +50,7 @@ TEST(FindConsensus, TheLeadIsOverTheBestThatContradictsAndTheProminenceOverTheir
                                             kCell);
   EXPECT_EQ(consensus.lead, 2.0);
   EXPECT_EQ(consensus.prominence, 4.0);
+  EXPECT_EQ(consensus.uncontested, 0.0);
 }
 
 TEST(FindConsensus, WhereAllAgreeNoneIsLed) {

@@ -45,7 +45,7 @@ const PairCounts kAt{{{60, 30, 10}, {7, 8, 9}, {4, 1, 15}}};
 TEST(SupportOf, SharesAreThoseOfTheScansCells) {
   CloseCounts closely;
   closely.near = {16, 18, 0, 0, 0, 25, 0};
-  const Support found = supportOf(kAt, closely, kOwn, {0, 3.0, 5.0}, 4, 0.5);
+  const Support found = supportOf(kAt, closely, kOwn, {0, 3.0, 5.0, 7.0}, 4, 0.5);
   EXPECT_EQ(found[named("bias")], 1.0);
   EXPECT_EQ(found[named("empty_on_empty")], 0.6);
   EXPECT_EQ(found[named("empty_on_occupied")], 0.1);
@@ -56,6 +56,7 @@ TEST(SupportOf, SharesAreThoseOfTheScansCells) {
   EXPECT_EQ(found[named("empty_by_occupied")], 0.25);
   EXPECT_DOUBLE_EQ(found[named("lead")], std::log1p(1.5));
   EXPECT_EQ(found[named("prominence")], 2.5);
+  EXPECT_EQ(found[named("uncontested")], 3.5);
   EXPECT_EQ(found[named("fewness")], 0.25);
 }
 
@@ -77,6 +78,12 @@ TEST(Judge, AGoodMatchFarAheadIsRecognized) {
 
 TEST(Judge, AGoodMatchWithACloseRunnerUpIsAmbiguous) {
   EXPECT_EQ(judged({40.0, 39.9}, support(0.9, 0.1)).verdict, Verdict::kAmbiguous);
+}
+
+TEST(Judge, WhereNoOtherPlaceContradictsNothingIsAmbiguous) {
+  Support alone = support(0.9, 0.0);
+  alone[named("uncontested")] = 20.0;
+  EXPECT_EQ(judged({20.0}, alone).verdict, Verdict::kUnknown);
 }
 
 TEST(Judge, ABadMatchIsUnknownHoweverFarAhead) {

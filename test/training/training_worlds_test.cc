@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <vector>
+
 #include "place_memory/config/match_preset.h"
 #include "training/calibration_fit.h"
 #include "training/preset_file.h"
@@ -28,6 +31,29 @@ TEST(Strangers, HaveNoRightPlaceAndNoneNear) {
   for (const CandidateList& list : withoutNearPlaces(set, known, 2.0)) {
     EXPECT_LT(list.candidates.size(), set.learned.size());
     for (const Candidate& candidate : list.candidates) EXPECT_FALSE(candidate.right);
+  }
+}
+
+TEST(AmongFewPlaces, KeepsOneRightPlaceAndAFewOthers) {
+  CandidateList list;
+  for (std::size_t i = 0; i < 20; ++i) {
+    list.candidates.emplace_back();
+    list.candidates.back().place = i;
+    list.candidates.back().right = i > 16;
+  }
+  CandidateList stranger = list;
+  for (Candidate& candidate : stranger.candidates) candidate.right = false;
+  std::set<std::size_t> sizes;
+  for (const CandidateList& few : amongFewPlaces(std::vector<CandidateList>(400, list))) {
+    sizes.insert(few.candidates.size());
+    EXPECT_TRUE(few.candidates.front().right);
+    for (std::size_t i = 1; i < few.candidates.size(); ++i) {
+      EXPECT_FALSE(few.candidates[i].right);
+    }
+  }
+  EXPECT_EQ(sizes, (std::set<std::size_t>{1, 2, 3, 4}));
+  for (const CandidateList& few : amongFewPlaces({stranger, CandidateList{}})) {
+    EXPECT_LE(few.candidates.size(), 4U);
   }
 }
 
@@ -62,7 +88,8 @@ TEST(WritePreset, IsReadBackAsItWas) {
   look.near = {1.0, -2.0, 4.0, -8.0, 0.5, 0.25, -0.125};
   preset.second_look = look;
   preset.calibration.scale = 0.5;
-  preset.calibration.coefficients = {-1.0, 0.25, -0.5, -0.75, 2.0, 3.0, 4.0, 5.0, 1.25, 0.5, -8.0};
+  preset.calibration.coefficients = {-1.0, 0.25, -0.5, -0.75, 2.0,  3.0,
+                                     4.0,  5.0,  1.25, 0.5,   -8.0, 6.0};
   preset.calibration.others = 0.125;
   preset.calibration.sharpness = 0.0625;
   const std::string path = testing::TempDir() + "preset.yaml";

@@ -22,6 +22,8 @@ struct Consensus {
   /// both at least 0, and 0 where none contradicts it.
   double lead = 0.0;
   double prominence = 0.0;
+  double uncontested =
+      0.0;  ///< what the best scores, at least 0, where none contradicts it; else 0
 };
 
 /// Neighbouring places see the same walls, so several may align rightly with one scan. Those that

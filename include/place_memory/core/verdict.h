@@ -13,7 +13,7 @@ namespace place_memory::core {
 
 /// What speaks for the best match and against it, as the calibration's coefficients take it. Names
 /// of coefficients in preset files.
-constexpr std::array<const char*, 11> kSupportNames{
+constexpr std::array<const char*, 12> kSupportNames{
     "bias",                  // 1
     "empty_on_empty",        // share of the scan's empty cells that fall on learned empty ones
     "empty_on_occupied",     // likewise on occupied ones
@@ -24,6 +24,7 @@ constexpr std::array<const char*, 11> kSupportNames{
     "empty_by_occupied",     // share of the empty cells up to one cell from learned occupied ones
     "lead",                  // log(1 + scale * Consensus::lead)
     "prominence",            // scale * Consensus::prominence
+    "uncontested",           // scale * Consensus::uncontested
     "fewness",               // 1 / number of places: a lead over few says little
 };
 using Support = std::array<double, kSupportNames.size()>;
@@ -38,7 +39,7 @@ Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCo
 /// places, in proportion to exp(scale * score).
 struct Calibration {
   double scale = 1.0;  ///< [1 / score], > 0
-  Support coefficients{-6.0, 2.0, -5.0, -5.0, 5.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+  Support coefficients{-6.0, 2.0, -5.0, -5.0, 5.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
   double others = 0.5;  ///< share, in [0, 1]
   /// How sharply a pose's likelihood falls with its score, for the pose's covariance [1 / score],
   /// >= 0.
