@@ -25,7 +25,7 @@ std::vector<CandidateList> withoutNearPlaces(const trials::TrialSet& set,
 
 std::vector<CandidateList> amongFewPlaces(const std::vector<CandidateList>& lists) {
   std::mt19937 engine(1);
-  constexpr std::size_t kOneIn = 4;
+  constexpr std::size_t kOneIn = 10;
   std::vector<CandidateList> few;
   for (std::size_t i = 0; i < lists.size(); i += kOneIn) few.push_back(lists[i]);
   for (CandidateList& list : few) {

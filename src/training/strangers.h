@@ -12,7 +12,7 @@ std::vector<CandidateList> withoutNearPlaces(const trials::TrialSet& set,
                                              const std::vector<CandidateList>& lists,
                                              double distance);
 
-/// Every fourth list as it would be in a memory of one to four places: the first candidate that is
+/// Every tenth list as it would be in a memory of one to four places: the first candidate that is
 /// right, where there is one, and others drawn at random. The same lists give the same.
 std::vector<CandidateList> amongFewPlaces(const std::vector<CandidateList>& lists);
 

@@ -44,7 +44,7 @@ TEST(AmongFewPlaces, KeepsOneRightPlaceAndAFewOthers) {
   CandidateList stranger = list;
   for (Candidate& candidate : stranger.candidates) candidate.right = false;
   std::set<std::size_t> sizes;
-  for (const CandidateList& few : amongFewPlaces(std::vector<CandidateList>(400, list))) {
+  for (const CandidateList& few : amongFewPlaces(std::vector<CandidateList>(1000, list))) {
     sizes.insert(few.candidates.size());
     EXPECT_TRUE(few.candidates.front().right);
     for (std::size_t i = 1; i < few.candidates.size(); ++i) {
