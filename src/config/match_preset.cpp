@@ -46,6 +46,7 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   YAML::Node second = root["second_look"];
   if (second && second.IsMap()) {
     takeWeights(second, "inner", "second_look/inner (" + source + ")", look.inner, problems);
+    takeWeights(second, "middle", "second_look/middle (" + source + ")", look.middle, problems);
   }
 
   ParameterReader reader;
@@ -59,6 +60,8 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
     for (std::size_t i = 0; i < core::kNearCells; ++i) {
       reader.number(std::string("second_look/") + core::kNearCellsNames[i], any, look.near[i]);
     }
+    reader.number("second_look/beside", any, look.beside);
+    reader.number("second_look/turned", any, look.turned);
     preset.second_look = look;
   }
   core::Calibration& calibration = preset.calibration;

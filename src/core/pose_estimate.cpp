@@ -9,14 +9,6 @@ namespace {
 
 constexpr int kReach = 2;  ///< steps
 
-/// Brings a turn that left a circular window by its end back in by the other.
-int wrapTurn(int turn, const SearchWindow& window) {
-  if (!window.circular) return turn;
-  if (turn > window.turns) return turn - 2 * window.turns;
-  if (turn < -window.turns) return turn + 2 * window.turns;
-  return turn;
-}
-
 }  // namespace
 
 PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
@@ -28,7 +20,7 @@ PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   const Eigen::Vector3d step(cell_size, cell_size, kHeadingStep);
   for (int turn = -kReach; turn <= kReach; ++turn) {
-    const int at_turn = wrapTurn(best.turn + turn, window);
+    const int at_turn = window.wrapped(best.turn + turn);
     if (std::abs(at_turn) > window.turns) continue;
     for (int rows = -kReach; rows <= kReach; ++rows) {
       for (int columns = -kReach; columns <= kReach; ++columns) {

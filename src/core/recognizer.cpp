@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "place_memory/core/consensus.h"
+#include "place_memory/core/falloff.h"
 #include "place_memory/core/pose_estimate.h"
 #include "place_memory/core/second_look.h"
 #include "place_search.h"
@@ -28,16 +29,18 @@ Pose2d poseOf(const Alignment& alignment, double cell_size) {
 }
 
 /// Looks again at the foremost places and ranks anew.
-void lookAgain(const QueryPlanes& query, const PlaceIndex& places, const SecondLook& look,
+void lookAgain(const QueryPlanes& query, const PlaceIndex& places, const LatticeMetric& metric,
+               const SearchWindow& window, const SecondLook& look,
                std::vector<PlaceAlignment>& all) {
   std::vector<double> first, again;
   for (const PlaceAlignment& found : all) {
     const Alignment& alignment = found.alignment;
     first.push_back(alignment.score);
     if (again.size() >= kLookedAtAgain) continue;
-    const CloseCounts counts =
-        countClosely(query.at(alignment.turn), alignment.shift, places.cells(found.entry->id));
-    again.push_back(scoreAgain(alignment.score, counts, look));
+    const CellPlanes cells = places.cells(found.entry->id);
+    again.push_back(scoreAgain(alignment.score,
+                               countClosely(query.at(alignment.turn), alignment.shift, cells),
+                               falloffAt(query, cells, metric, window, alignment), look));
   }
   const std::vector<double> scores = combineLooks(first, again);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].alignment.score = scores[i];
@@ -102,7 +105,7 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
   std::vector<PlaceAlignment> all =
       searchPlaces(query, places, metric, window, options_.method, cancelled);
   if (all.empty()) return {};
-  if (options_.second_look) lookAgain(query, places, *options_.second_look, all);
+  if (options_.second_look) lookAgain(query, places, metric, window, *options_.second_look, all);
   const Consensus consensus = consensusOf(all, cell_size);
   const auto chosen = all.begin() + static_cast<std::ptrdiff_t>(consensus.chosen);
   std::rotate(all.begin(), chosen, chosen + 1);

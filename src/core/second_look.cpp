@@ -1,25 +1,28 @@
 #include "place_memory/core/second_look.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pair_kernel.h"
 
 namespace place_memory::core {
 namespace {
 
-constexpr double kInnerRadius = 9.0;  ///< [cells]
+constexpr double kInnerRadius = 9.0;    ///< [cells]
+constexpr double kMiddleRadius = 17.0;  ///< [cells]
 
-BitPlane innerDisc() {
+/// Cells whose centres are more than `from` and up to `to` cells from the place.
+BitPlane ring(double from, double to) {
   constexpr double kMiddle = 0.5 * (kGridSize - 1);
-  BitPlane disc{};
+  BitPlane cells{};
   for (int row = 0; row < kGridSize; ++row) {
     for (int column = 0; column < kGridSize; ++column) {
-      const double x = column - kMiddle, y = row - kMiddle;
-      if (x * x + y * y > kInnerRadius * kInnerRadius) continue;
-      disc[static_cast<std::size_t>(row)] |= std::uint64_t{1} << column;
+      const double distance = std::hypot(column - kMiddle, row - kMiddle);
+      if (distance <= from || distance > to) continue;
+      cells[static_cast<std::size_t>(row)] |= std::uint64_t{1} << column;
     }
   }
-  return disc;
+  return cells;
 }
 
 BitPlane shifted(const BitPlane& plane, CellShift shift) {
@@ -50,18 +53,18 @@ PlaneCounts countCells(const BitPlane& a, const BitPlane& b, const BitPlane& c, 
   return countPlanes({a.data(), b.data(), c.data(), d.data(), kGridSize, 0});
 }
 
-CellPlanes inside(const BitPlane& disc, CellPlanes cells) {
+CellPlanes inside(const BitPlane& region, CellPlanes cells) {
   for (std::size_t row = 0; row < kGridSize; ++row) {
-    cells.occupied[row] &= disc[row];
-    cells.empty[row] &= disc[row];
+    cells.occupied[row] &= region[row];
+    cells.empty[row] &= region[row];
   }
   return cells;
 }
 
-PairCounts pairsInside(const BitPlane& disc, const CellPlanes& scan, const CellPlanes& learned) {
+PairCounts pairsInside(const BitPlane& region, const CellPlanes& scan, const CellPlanes& learned) {
   constexpr auto kUnsensed = static_cast<std::size_t>(CellClass::kUnsensed);
-  PairCounts counts = countPairs(inside(disc, scan), {0, 0}, inside(disc, learned));
-  const auto cells = static_cast<int>(countCells(disc, disc, disc, disc).occupied);
+  PairCounts counts = countPairs(inside(region, scan), {0, 0}, inside(region, learned));
+  const auto cells = static_cast<int>(countCells(region, region, region, region).occupied);
   counts[kUnsensed][kUnsensed] -= kGridCells - cells;
   return counts;
 }
@@ -70,7 +73,8 @@ PairCounts pairsInside(const BitPlane& disc, const CellPlanes& scan, const CellP
 
 CloseCounts countClosely(const CellPlanes& recognition, CellShift shift,
                          const CellPlanes& learned) {
-  static const BitPlane kInner = innerDisc();
+  static const BitPlane kInner = ring(-1.0, kInnerRadius);
+  static const BitPlane kMiddle = ring(kInnerRadius, kMiddleRadius);
   CellPlanes scan;
   scan.occupied = shifted(recognition.occupied, shift);
   scan.empty = shifted(recognition.empty, shift);
@@ -78,6 +82,7 @@ CloseCounts countClosely(const CellPlanes& recognition, CellShift shift,
   const BitPlane learned_one = widened(learned.occupied), learned_two = widened(learned_one);
   CloseCounts counts;
   counts.inner = pairsInside(kInner, scan, learned);
+  counts.middle = pairsInside(kMiddle, scan, learned);
   const PlaneCounts by_learned = countCells(scan.occupied, scan.empty, learned_one, learned_two);
   const PlaneCounts by_scan = countCells(scan_one, scan_two, learned.occupied, learned.empty);
   const PlaneCounts by_both = countCells(scan_one, scan_one, learned_one, learned_one);
@@ -89,8 +94,11 @@ CloseCounts countClosely(const CellPlanes& recognition, CellShift shift,
   return counts;
 }
 
-double scoreAgain(double first_score, const CloseCounts& counts, const SecondLook& look) {
-  double score = look.first * first_score + pairScore(counts.inner, look.inner);
+double scoreAgain(double first_score, const CloseCounts& counts, const Falloff& falloff,
+                  const SecondLook& look) {
+  double score = look.first * first_score + pairScore(counts.inner, look.inner) +
+                 pairScore(counts.middle, look.middle) + look.beside * falloff.beside +
+                 look.turned * falloff.turned;
   for (std::size_t i = 0; i < kNearCells; ++i) score += counts.near[i] * look.near[i];
   return score;
 }

@@ -7,7 +7,7 @@
 namespace place_memory::core {
 namespace {
 
-constexpr std::size_t kLead = 8, kProminence = 9, kUncontested = 10;
+constexpr std::size_t kLead = 11, kProminence = 12, kUncontested = 13;
 /// A lead and a prominence that leave no doubt, in units of the scale.
 constexpr double kClear = 10.0;
 
@@ -39,9 +39,11 @@ Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCo
                   const Consensus& consensus, std::size_t places, double scale) {
   constexpr auto kEmpty = static_cast<std::size_t>(CellClass::kEmpty);
   constexpr auto kOccupied = static_cast<std::size_t>(CellClass::kOccupied);
-  const auto share = [&](int cells, std::size_t of) {
-    return own[of][of] == 0 ? 0.0 : static_cast<double>(cells) / own[of][of];
+  const auto ratio = [](int cells, int of) {
+    return of == 0 ? 0.0 : static_cast<double>(cells) / of;
   };
+  const auto share = [&](int cells, std::size_t of) { return ratio(cells, own[of][of]); };
+  const auto learned = [&](std::size_t of) { return at[0][of] + at[1][of] + at[2][of]; };
   return {1.0,
           share(at[kEmpty][kEmpty], kEmpty),
           share(at[kEmpty][kOccupied], kEmpty),
@@ -50,6 +52,9 @@ Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCo
           share(closely.of(NearCells::kOccupiedWithinOne), kOccupied),
           share(closely.of(NearCells::kOccupiedWithinTwo), kOccupied),
           share(closely.of(NearCells::kEmptyByOccupied), kEmpty),
+          ratio(at[kEmpty][kOccupied], learned(kOccupied)),
+          ratio(at[kOccupied][kOccupied], learned(kOccupied)),
+          ratio(at[kOccupied][kEmpty], learned(kEmpty)),
           std::log1p(scale * std::max(consensus.lead, 0.0)),
           scale * consensus.prominence,
           scale * consensus.uncontested,

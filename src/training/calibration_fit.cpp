@@ -47,8 +47,8 @@ Ranking rankingOf(const CandidateList& list, const RankingWeights& weights) {
   if (!weights.second_look) return ranking;
   std::vector<double> again;
   for (std::size_t i = 0; i < std::min(ranking.order.size(), core::kLookedAtAgain); ++i) {
-    again.push_back(
-        core::scoreAgain(ranking.scores[i], ranking.order[i]->closely, *weights.second_look));
+    again.push_back(core::scoreAgain(ranking.scores[i], ranking.order[i]->closely,
+                                     ranking.order[i]->falloff, *weights.second_look));
   }
   const std::vector<double> scores = core::combineLooks(ranking.scores, again);
   std::vector<std::size_t> by_score(scores.size());

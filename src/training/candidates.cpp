@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "place_memory/core/alignment_search.h"
+#include "place_memory/core/falloff.h"
 #include "place_memory/core/lattice.h"
 
 namespace place_memory::training {
@@ -28,7 +29,7 @@ Features featuresAt(const core::QueryPlanes& query, const core::CellPlanes& lear
   return features;
 }
 
-constexpr Eigen::Index kLookFeatures = 1 + 9 + static_cast<Eigen::Index>(core::kNearCells);
+constexpr Eigen::Index kLookFeatures = 1 + 9 + 9 + static_cast<Eigen::Index>(core::kNearCells) + 2;
 
 /// An alignment this near to the truth is right [cells, heading steps].
 constexpr double kAtTruth = 3.5;
@@ -69,7 +70,8 @@ class Memory {
       list.candidates.push_back(
           {i, right, at_truth, place_from_scan, map_from_scan,
            featuresAt(query, places_[i], found, window, set_.cell_size, metric_.overlap_only),
-           core::countClosely(query.at(found.turn), found.shift, places_[i])});
+           core::countClosely(query.at(found.turn), found.shift, places_[i]),
+           core::falloffAt(query, places_[i], metric, window, found)});
     }
     return list;
   }
@@ -114,10 +116,14 @@ Eigen::VectorXd asWeights(const core::SecondLook& look) {
   Eigen::VectorXd weights(kLookFeatures);
   Eigen::Index i = 0;
   weights[i++] = look.first;
-  for (const auto& row : look.inner) {
-    for (const double weight : row) weights[i++] = weight;
+  for (const auto* ring : {&look.inner, &look.middle}) {
+    for (const auto& row : *ring) {
+      for (const double weight : row) weights[i++] = weight;
+    }
   }
   for (const double weight : look.near) weights[i++] = weight;
+  weights[i++] = look.beside;
+  weights[i] = look.turned;
   return weights;
 }
 
@@ -125,10 +131,14 @@ core::SecondLook asSecondLook(const Eigen::VectorXd& weights) {
   core::SecondLook look;
   Eigen::Index i = 0;
   look.first = std::max(weights[i++], 0.0);
-  for (auto& row : look.inner) {
-    for (double& weight : row) weight = weights[i++];
+  for (auto* ring : {&look.inner, &look.middle}) {
+    for (auto& row : *ring) {
+      for (double& weight : row) weight = weights[i++];
+    }
   }
   for (double& weight : look.near) weight = weights[i++];
+  look.beside = weights[i++];
+  look.turned = weights[i];
   return look;
 }
 
@@ -165,10 +175,14 @@ std::vector<Choice> secondChoices(const std::vector<CandidateList>& lists,
       const auto row = static_cast<Eigen::Index>(choice.right.size());
       Eigen::Index i = 0;
       choice.features(row, i++) = weights.dot(candidate->features);
-      for (const auto& counts : candidate->closely.inner) {
-        for (const int count : counts) choice.features(row, i++) = count;
+      for (const auto* ring : {&candidate->closely.inner, &candidate->closely.middle}) {
+        for (const auto& counts : *ring) {
+          for (const int count : counts) choice.features(row, i++) = count;
+        }
       }
       for (const int count : candidate->closely.near) choice.features(row, i++) = count;
+      choice.features(row, i++) = candidate->falloff.beside;
+      choice.features(row, i) = candidate->falloff.turned;
       choice.right.push_back(candidate->at_truth);
     }
     choices.push_back(std::move(choice));

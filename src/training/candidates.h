@@ -27,6 +27,7 @@ struct Candidate {
   core::Pose2d map_from_scan;    ///< what follows from it
   Features features = Features::Zero();
   core::CloseCounts closely;
+  core::Falloff falloff;
 };
 
 /// All places against one scan.
@@ -43,7 +44,8 @@ Features asWeights(const core::MatchMetric& metric);
 core::MatchMetric asMetric(const Features& weights);
 constexpr Eigen::Index kCosts = 2;  ///< of the features, at their end: weights are at most 0
 
-/// What a SecondLook is linear in: the score of the first look, nine pairs, and the near cells.
+/// What a SecondLook is linear in: the score of the first look, nine pairs of either ring, the near
+/// cells, and the falloff.
 Eigen::VectorXd asWeights(const core::SecondLook& look);
 core::SecondLook asSecondLook(const Eigen::VectorXd& weights);
 

@@ -22,14 +22,20 @@ void writeTable(std::ostream& out, const std::string& indent, const core::PairWe
 
 void writeSecondLook(std::ostream& out, const core::SecondLook& look) {
   out << "\n# A second look at the places that score best: `first` times their score, points for "
-         "pairs of\n# cells within nine cells of the place, and for cells that lie near one "
-         "another.\nsecond_look:\n  first: "
+         "pairs of\n# cells within nine cells of the place and from there to seventeen, for cells "
+         "that "
+         "lie near one\n# another, and for how the first look's score changes by a shift of two "
+         "cells and by a turn of six\n# degrees.\nsecond_look:\n  first: "
       << number(look.first) << "  # in [0, 1000]\n  inner:\n";
   writeTable(out, "    ", look.inner);
+  out << "  middle:\n";
+  writeTable(out, "    ", look.middle);
   for (std::size_t i = 0; i < core::kNearCells; ++i) {
     out << "  " << core::kNearCellsNames[i] << ": " << number(look.near[i])
         << "  # in [-1000, 1000]\n";
   }
+  out << "  beside: " << number(look.beside) << "  # in [-1000, 1000]\n"
+      << "  turned: " << number(look.turned) << "  # in [-1000, 1000]\n";
 }
 
 }  // namespace

@@ -256,7 +256,10 @@ INSTANTIATE_TEST_SUITE_P(
                     "second_look: {first: -1, inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}",
                     "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
                     "calibration: {scale: 0.1}\n"
-                    "second_look: {nearest: 1, inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}"));
+                    "second_look: {nearest: 1, inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}",
+                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1}\n"
+                    "second_look: {inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]], middle: 3}"));
 
 }  // namespace
 }  // namespace place_memory::config

@@ -52,9 +52,9 @@ CloseCounts naiveCounts(const CellPlanes& scan, CellShift shift, const CellPlane
     for (int column = 0; column < kGridSize; ++column) {
       const CellClass r = classAt(scan, row - shift.rows, column - shift.columns);
       const CellClass l = classAt(learned, row, column);
-      if (std::hypot(row - 31.5, column - 31.5) <= 9.0) {
-        ++counts.inner[static_cast<std::size_t>(r)][static_cast<std::size_t>(l)];
-      }
+      const double distance = std::hypot(row - 31.5, column - 31.5);
+      auto& ring = distance <= 9.0 ? counts.inner : counts.middle;
+      if (distance <= 17.0) ++ring[static_cast<std::size_t>(r)][static_cast<std::size_t>(l)];
       const bool by_learned = nearOccupied(learned, {}, row, column, 1);
       const bool by_scan = nearOccupied(scan, shift, row, column, 1);
       const bool occupied = r == CellClass::kOccupied;
@@ -79,19 +79,25 @@ TEST(CountClosely, EqualsTheCountCellByCell) {
     const CloseCounts found = countClosely(scan, shift, learned);
     const CloseCounts expected = naiveCounts(scan, shift, learned);
     EXPECT_EQ(found.inner, expected.inner) << shift.columns << ", " << shift.rows;
+    EXPECT_EQ(found.middle, expected.middle) << shift.columns << ", " << shift.rows;
     EXPECT_EQ(found.near, expected.near) << shift.columns << ", " << shift.rows;
   }
 }
 
-TEST(ScoreAgain, WeighsTheFirstScoreThePairsAndTheNearCells) {
+TEST(ScoreAgain, WeighsTheFirstScoreThePairsTheNearCellsAndTheFalloff) {
   CloseCounts counts;
   counts.inner[2][2] = 7;
+  counts.middle[0][1] = 3;
   counts.near[5] = 11;
   SecondLook look;
   look.first = 0.5;
   look.inner[2][2] = 2.0;
+  look.middle[0][1] = 4.0;
   look.near[5] = -1.0;
-  EXPECT_DOUBLE_EQ(scoreAgain(10.0, counts, look), 5.0 + 14.0 - 11.0);
+  look.beside = -0.5;
+  look.turned = -2.0;
+  EXPECT_DOUBLE_EQ(scoreAgain(10.0, counts, {-6.0, -5.0}, look),
+                   5.0 + 14.0 + 12.0 - 11.0 + 3.0 + 10.0);
 }
 
 TEST(CombineLooks, ThoseNotLookedAtKeepTheirDistanceToTheLast) {

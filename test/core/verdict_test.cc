@@ -54,6 +54,9 @@ TEST(SupportOf, SharesAreThoseOfTheScansCells) {
   EXPECT_EQ(found[named("occupied_within_one")], 0.8);
   EXPECT_EQ(found[named("occupied_within_two")], 0.9);
   EXPECT_EQ(found[named("empty_by_occupied")], 0.25);
+  EXPECT_DOUBLE_EQ(found[named("learned_occupied_on_empty")], 10.0 / 34.0);
+  EXPECT_DOUBLE_EQ(found[named("learned_occupied_on_occupied")], 15.0 / 34.0);
+  EXPECT_DOUBLE_EQ(found[named("learned_empty_on_occupied")], 4.0 / 71.0);
   EXPECT_DOUBLE_EQ(found[named("lead")], std::log1p(1.5));
   EXPECT_EQ(found[named("prominence")], 2.5);
   EXPECT_EQ(found[named("uncontested")], 3.5);
@@ -63,7 +66,8 @@ TEST(SupportOf, SharesAreThoseOfTheScansCells) {
 TEST(SupportOf, SharesAreNothingWhereTheScanHasNoSuchCell) {
   const PairCounts unsensed{{{0, 0, 0}, {0, 4096, 0}, {0, 0, 0}}};
   const Support found = supportOf(unsensed, {}, unsensed, {}, 2, 1.0);
-  for (const char* name : {"empty_on_empty", "occupied_on_occupied", "empty_by_occupied"}) {
+  for (const char* name : {"empty_on_empty", "occupied_on_occupied", "empty_by_occupied",
+                           "learned_occupied_on_occupied", "learned_empty_on_occupied"}) {
     EXPECT_EQ(found[named(name)], 0.0) << name;
   }
 }

@@ -85,11 +85,14 @@ TEST(WritePreset, IsReadBackAsItWas) {
   core::SecondLook look;
   look.first = 0.75;
   look.inner = {{{3.5, -2.25, 1.0}, {0.5, 0.25, -6.0}, {8.0, -0.5, 16.0}}};
+  look.middle = {{{1.5, -0.25, 2.0}, {4.5, 0.75, -3.0}, {5.0, -1.5, 32.0}}};
+  look.beside = -0.5;
+  look.turned = 0.375;
   look.near = {1.0, -2.0, 4.0, -8.0, 0.5, 0.25, -0.125};
   preset.second_look = look;
   preset.calibration.scale = 0.5;
-  preset.calibration.coefficients = {-1.0, 0.25, -0.5, -0.75, 2.0,  3.0,
-                                     4.0,  5.0,  1.25, 0.5,   -8.0, 6.0};
+  preset.calibration.coefficients = {-1.0, 0.25, -0.5, -0.75, 2.0, 3.0,  4.0, 5.0,
+                                     1.25, 0.5,  -8.0, 6.0,   7.0, -7.0, 9.0};
   preset.calibration.others = 0.125;
   preset.calibration.sharpness = 0.0625;
   const std::string path = testing::TempDir() + "preset.yaml";
@@ -102,7 +105,10 @@ TEST(WritePreset, IsReadBackAsItWas) {
   ASSERT_TRUE(read.second_look);
   EXPECT_EQ(read.second_look->first, 0.75);
   EXPECT_EQ(read.second_look->inner, look.inner);
+  EXPECT_EQ(read.second_look->middle, look.middle);
   EXPECT_EQ(read.second_look->near, look.near);
+  EXPECT_EQ(read.second_look->beside, -0.5);
+  EXPECT_EQ(read.second_look->turned, 0.375);
   EXPECT_EQ(read.calibration.scale, 0.5);
   EXPECT_EQ(read.calibration.coefficients, preset.calibration.coefficients);
   EXPECT_EQ(read.calibration.sharpness, 0.0625);

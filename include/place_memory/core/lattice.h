@@ -16,6 +16,13 @@ struct SearchWindow {
   int cells = 0;          ///< shifts along x and y in [-cells, cells]
   int turns = 0;          ///< turns in [-turns, turns]
   bool circular = false;  ///< every heading is searched: turn `turns` is turn `-turns` once more
+
+  /// Brings a turn that left a circular window by one end, by less than a full turn, back in by the
+  /// other.
+  int wrapped(int turn) const {
+    if (!circular) return turn;
+    return turn > turns ? turn - 2 * turns : turn < -turns ? turn + 2 * turns : turn;
+  }
 };
 
 /// The least window that holds every shift up to `position_window` [m] along x and y and every turn

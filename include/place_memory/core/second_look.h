@@ -36,6 +36,7 @@ constexpr std::array<const char*, kNearCells> kNearCellsNames{"occupied_within_o
 struct CloseCounts {
   /// Pairs of corresponding cells up to nine cells from the place, which sonar sees best.
   PairCounts inner{};
+  PairCounts middle{};  ///< likewise from there to seventeen cells
   std::array<int, kNearCells> near{};
 
   int of(NearCells cells) const { return near[static_cast<std::size_t>(cells)]; }
@@ -44,15 +45,26 @@ struct CloseCounts {
 /// Of a turned and then shifted recognition grid and a learned grid. Shifts in [-63, 63].
 CloseCounts countClosely(const CellPlanes& recognition, CellShift shift, const CellPlanes& learned);
 
+/// How the first look's score changes beside an alignment: it falls all around where the grids fit,
+/// and hardly along a hallway or where they fit by chance.
+struct Falloff {
+  double beside = 0.0;  ///< by a shift of two cells, the mean of four
+  double turned = 0.0;  ///< by a turn of two heading steps, the mean of those in the window
+};
+
 /// A richer metric for the few places that the search ranks first: an echo a cell off, which the
 /// first look calls a contradiction, is nearly as good as one in its place.
 struct SecondLook {
   double first = 1.0;  ///< of the score of the first look
   PairWeights inner{};
+  PairWeights middle{};
   std::array<double, kNearCells> near{};
+  double beside = 0.0;  ///< of Falloff::beside
+  double turned = 0.0;  ///< of Falloff::turned
 };
 
-double scoreAgain(double first_score, const CloseCounts& counts, const SecondLook& look);
+double scoreAgain(double first_score, const CloseCounts& counts, const Falloff& falloff,
+                  const SecondLook& look);
 
 /// The scores of all places, of which `first` are those of the first look, falling, and `again`
 /// those of the second look at the foremost of them: the others keep their distance to the last

@@ -13,7 +13,7 @@ namespace place_memory::core {
 
 /// What speaks for the best match and against it, as the calibration's coefficients take it. Names
 /// of coefficients in preset files.
-constexpr std::array<const char*, 12> kSupportNames{
+constexpr std::array<const char*, 15> kSupportNames{
     "bias",                  // 1
     "empty_on_empty",        // share of the scan's empty cells that fall on learned empty ones
     "empty_on_occupied",     // likewise on occupied ones
@@ -22,15 +22,18 @@ constexpr std::array<const char*, 12> kSupportNames{
     "occupied_within_one",   // likewise up to one cell from occupied ones
     "occupied_within_two",   // up to two cells
     "empty_by_occupied",     // share of the empty cells up to one cell from learned occupied ones
-    "lead",                  // log(1 + scale * Consensus::lead)
-    "prominence",            // scale * Consensus::prominence
-    "uncontested",           // scale * Consensus::uncontested
-    "fewness",               // 1 / number of places: a lead over few says little
+    "learned_occupied_on_empty",     // share of the learned occupied cells on which empty ones fall
+    "learned_occupied_on_occupied",  // likewise occupied ones
+    "learned_empty_on_occupied",     // share of the learned empty cells on which occupied ones fall
+    "lead",                          // log(1 + scale * Consensus::lead)
+    "prominence",                    // scale * Consensus::prominence
+    "uncontested",                   // scale * Consensus::uncontested
+    "fewness",                       // 1 / number of places: a lead over few says little
 };
 using Support = std::array<double, kSupportNames.size()>;
 
 /// `at` and `closely`: the counts at the best alignment; `own`: the pairs of the scan with itself.
-/// Shares are 0 where the scan has no such cell.
+/// Shares are 0 where there is no such cell.
 Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCounts& own,
                   const Consensus& consensus, std::size_t places, double scale);
 
@@ -39,7 +42,8 @@ Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCo
 /// places, in proportion to exp(scale * score).
 struct Calibration {
   double scale = 1.0;  ///< [1 / score], > 0
-  Support coefficients{-6.0, 2.0, -5.0, -5.0, 5.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
+  Support coefficients{-6.0, 2.0, -5.0, -5.0, 5.0, 0.0, 0.0, 0.0,
+                       0.0,  0.0, 0.0,  1.0,  0.0, 0.0, 0.0};
   double others = 0.5;  ///< share, in [0, 1]
   /// How sharply a pose's likelihood falls with its score, for the pose's covariance [1 / score],
   /// >= 0.
