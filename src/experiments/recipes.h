@@ -8,6 +8,8 @@ namespace place_memory::experiments {
 constexpr double kDegree = core::kPi / 180.0;
 constexpr double kTwoFeet = 0.6096;  ///< [m]
 constexpr double kOneFoot = 0.3048;  ///< [m]
+/// How far from a place a robot stands that was put back on it [m].
+constexpr double kPutBack = 0.1;
 
 /// Experiments 1 and 2: chairs about the robot, a compass that repeats to ten degrees (paper 4).
 inline trials::Recipe roomsRecipe(int chairs, double shift) {
@@ -19,8 +21,9 @@ inline trials::Recipe roomsRecipe(int chairs, double shift) {
 }
 
 /// Experiment 3: people, moved chairs, bicycles, doors, no whiteboards any more.
-inline trials::Recipe officeRecipe() {
+inline trials::Recipe officeRecipe(double shift) {
   trials::Recipe recipe;
+  recipe.shift = shift;
   recipe.compass_error = 10.0 * kDegree;
   recipe.doors_flipped = 0.3;
   recipe.chairs_moved = 0.5;
@@ -47,12 +50,11 @@ inline trials::Recipe hallwayRecipe(double shift) {
 /// The office from one round to the next: a few doors, chairs and pieces of furniture at a time,
 /// which add up until ten rounds show in a memory that stays as it was learned.
 inline trials::Recipe rearrangementRecipe() {
-  trials::Recipe recipe = officeRecipe();
+  trials::Recipe recipe = officeRecipe(kOneFoot);
   recipe.doors_flipped = 0.05;
   recipe.chairs_moved = 0.15;
   recipe.furniture_moved = 0.05;
   recipe.furniture_distance = 1.0;
-  recipe.shift = kOneFoot;
   return recipe;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 
 #include "place_memory/core/pose_estimate.h"
 #include "place_memory/core/recognizer_options.h"
@@ -12,11 +13,11 @@ namespace place_memory::training {
 namespace {
 
 constexpr double kDimensions = 3.0;
-constexpr std::size_t kCandidates = 12;
+constexpr std::size_t kCandidates = 80;
 /// Alignments further from the truth are wrong, not imprecise [cells, heading steps].
 constexpr double kImprecise = 3.5;
 
-double candidate(std::size_t i) { return std::exp2(2.0 - static_cast<double>(i)); }
+double candidate(std::size_t i) { return std::exp2(3.0 - static_cast<double>(i) / 8.0); }
 
 /// Sum of the normalised squared errors for each candidate.
 struct Errors {
@@ -60,6 +61,7 @@ double fitSharpness(const std::vector<trials::TrialSet>& sets, const core::Sonar
                     const core::MatchMetric& metric) {
   Errors errors;
   for (const trials::TrialSet& set : sets) {
+    if (!set.turns_truly) continue;
     for (const trials::RecognitionTrial& trial : set.trials) {
       for (const trials::LearnedScan& learned : set.learned) {
         if (trial.accept.empty() || learned.label != trial.accept.front()) continue;
@@ -67,6 +69,7 @@ double fitSharpness(const std::vector<trials::TrialSet>& sets, const core::Sonar
       }
     }
   }
+  if (errors.count == 0.0) throw std::runtime_error("no scan tells of the pose's covariance");
   std::size_t best = 0;
   double least = INFINITY;
   for (std::size_t i = 0; i < kCandidates; ++i) {

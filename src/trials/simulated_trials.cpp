@@ -201,6 +201,7 @@ TrialSet simulateRounds(const sim::World& world, const sim::SimulatedRobot& robo
   Simulation simulation(world, robot, recipe, seed);
   TrialSet set;
   set.name = world.name;
+  set.turns_truly = recipe.turn_error == 0.0;
   for (std::size_t i = 0; i < world.places.size(); ++i) set.learned.push_back(simulation.learn(i));
   for (int round = 0; round < rounds; ++round) {
     simulation.change(round);

@@ -31,6 +31,7 @@ struct RecognitionTrial {
 struct TrialSet {
   std::string name;
   double cell_size = core::kDefaultCellSize;  ///< that suits the sensor [m]
+  bool turns_truly = true;  ///< false: the robot misjudges its own turns, and its scans are bent
   std::vector<LearnedScan> learned;
   std::vector<RecognitionTrial> trials;
 };
