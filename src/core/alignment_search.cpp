@@ -1,5 +1,7 @@
 #include "place_memory/core/alignment_search.h"
 
+#include <array>
+
 #include "coarse_planes.h"
 #include "restarts.h"
 
@@ -24,16 +26,16 @@ Alignment restarts(Climber& climber, const QueryPlanes& query, const CellPlanes&
                    const LatticeMetric& metric, const SearchWindow& window) {
   WorkerPool alone(1);
   const StartLattice lattice(query, FixedMetric(metric), window, kCloseLook, alone);
-  std::vector<QueryRow> rows(lattice.rows());
-  coarsen(learned, rows.data());
-  std::vector<BlockRow> places(lattice.rows());
-  for (std::size_t row = 0; row < rows.size(); ++row) {
+  std::array<QueryRow, kCoarsestRows> rows;
+  coarsenMost(learned, rows.data());
+  CoarsestBlock places{};
+  for (std::size_t row = 0; row < kCoarsestRows; ++row) {
     places[row].occupied[0] = rows[row].occupied;
     places[row].empty[0] = rows[row].empty;
   }
-  std::vector<BlockScores> scores;
-  lattice.score(places.data(), scores);
-  return settle(climber, climbFromStarts(climber, lattice, scores, 0));
+  LookScores scores;
+  lattice.look(places, scores);
+  return settle(climber, climbFromStarts(climber, chooseStarts(climber, lattice, scores, 0)));
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 #include "climber.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
-
-#include "pair_kernel.h"
 
 namespace place_memory::core {
 namespace {
@@ -18,6 +17,14 @@ std::size_t transformsOf(const SearchWindow& window) {
   return static_cast<std::size_t>(transforms);
 }
 
+/// Transforms that are counted at once: those near a summit.
+constexpr std::size_t kTogether =
+    (2 * kAsideCells + 1) * (2 * kAsideCells + 1) * (2 * kAsideTurns + 1);
+
+double points(std::uint64_t count, double each) {
+  return static_cast<double>(static_cast<std::int64_t>(count)) * each;
+}
+
 }  // namespace
 
 Climber::Climber(const QueryPlanes& query, const CellPlanes& learned, const LatticeMetric& metric,
@@ -26,33 +33,51 @@ Climber::Climber(const QueryPlanes& query, const CellPlanes& learned, const Latt
   const std::uint64_t* o = learned.occupied.data();
   const std::uint64_t* e = learned.empty.data();
   const PlaneCounts n = countPlanes({o, e, o, e, kGridSize, 0});
-  of_place_ = linear_.unsensed + static_cast<double>(n.occupied) * linear_.learned_occupied +
-              static_cast<double>(n.empty) * linear_.learned_empty;
+  of_place_ = linear_.unsensed + points(n.occupied, linear_.learned_occupied) +
+              points(n.empty, linear_.learned_empty);
 }
 
 Alignment Climber::evaluate(CellShift shift, int turn) const {
-  const CellPlanes& turned = query_.at(turn);
-  const int cells = shift.columns * shift.columns + shift.rows * shift.rows;
-  const double cost = metric_.shift_cost * cells + metric_.turn_cost * turn * turn;
-  if (metric_.overlap_only) {
-    const PairCounts pairs = countOverlap(turned, query_.reach(turn), shift, learned_);
-    return {shift, turn, pairScore(pairs, metric_.weights) - cost};
+  Alignment at{shift, turn};
+  evaluate(&at, 1);
+  return at;
+}
+
+void Climber::evaluate(Alignment* begin, std::size_t size) const {
+  static const TransformKernel kernel = fastestTransformKernel();
+  std::array<MovedPlanes, kTogether> moved;
+  std::array<PlaneCounts, kTogether> counts;
+  for (std::size_t first = 0; first < size; first += kTogether) {
+    Alignment* const some = begin + first;
+    const std::size_t together = std::min(kTogether, size - first);
+    if (metric_.overlap_only) {
+      for (std::size_t i = 0; i < together; ++i) some[i].score = overlapScore(some[i]);
+      continue;
+    }
+    for (std::size_t i = 0; i < together; ++i) moved[i] = {&query_.at(some[i].turn), some[i].shift};
+    kernel(learned_, moved.data(), together, counts.data());
+    for (std::size_t i = 0; i < together; ++i) some[i].score = score(counts[i]) - cost(some[i]);
   }
-  const int first = std::max(0, shift.rows);
-  const int end = std::min(kGridSize, kGridSize + shift.rows);
-  const int from = first - shift.rows;
-  const PlaneCounts n = countPlanes({turned.occupied.data() + from, turned.empty.data() + from,
-                                     learned_.occupied.data() + first,
-                                     learned_.empty.data() + first, end - first, shift.columns});
-  const auto points = [](std::uint64_t count, double each) {
-    return static_cast<double>(static_cast<std::int64_t>(count)) * each;
-  };
+}
+
+double Climber::cost(const Alignment& at) const {
+  const int cells = at.shift.columns * at.shift.columns + at.shift.rows * at.shift.rows;
+  return metric_.shift_cost * cells + metric_.turn_cost * at.turn * at.turn;
+}
+
+double Climber::overlapScore(const Alignment& at) const {
+  const PairCounts pairs =
+      countOverlap(query_.at(at.turn), query_.reach(at.turn), at.shift, learned_);
+  return pairScore(pairs, metric_.weights) - cost(at);
+}
+
+double Climber::score(const PlaneCounts& n) const {
   const double of_pairs = (points(n.occupied_occupied, linear_.occupied_occupied) +
                            points(n.occupied_empty, linear_.occupied_empty)) +
                           (points(n.empty_occupied, linear_.empty_occupied) +
                            points(n.empty_empty, linear_.empty_empty));
   const double of_query = points(n.occupied, linear_.occupied) + points(n.empty, linear_.empty);
-  return {shift, turn, of_place_ + (of_pairs + of_query) - cost};
+  return of_place_ + (of_pairs + of_query);
 }
 
 void Climber::climb(CellShift shift, int turn, int first_step) {
@@ -68,10 +93,11 @@ void Climber::settle(const Alignment& summit) {
     for (int turn = -kAsideTurns; turn <= kAsideTurns; ++turn) {
       for (int rows = -kAsideCells; rows <= kAsideCells; ++rows) {
         for (int columns = -kAsideCells; columns <= kAsideCells; ++columns) {
-          tryAlignment({at.shift.columns + columns, at.shift.rows + rows}, at.turn + turn, near);
+          propose({at.shift.columns + columns, at.shift.rows + rows}, at.turn + turn);
         }
       }
     }
+    takeBest(near);
     if (!(near.score > at.score)) break;
     at = climbFrom(near, 1);
   }
@@ -97,20 +123,28 @@ Alignment Climber::climbFrom(Alignment from, int first_step) {
 bool Climber::stepUp(int step, Alignment& at) {
   const Alignment from = at;
   for (const int by : {-step, step}) {
-    tryAlignment({from.shift.columns + by, from.shift.rows}, from.turn, at);
-    tryAlignment({from.shift.columns, from.shift.rows + by}, from.turn, at);
-    tryAlignment(from.shift, from.turn + by, at);
+    propose({from.shift.columns + by, from.shift.rows}, from.turn);
+    propose({from.shift.columns, from.shift.rows + by}, from.turn);
+    propose(from.shift, from.turn + by);
   }
+  takeBest(at);
   return at.score > from.score;
 }
 
-void Climber::tryAlignment(CellShift shift, int turn, Alignment& at) {
+void Climber::propose(CellShift shift, int turn) {
   if (std::abs(shift.columns) > window_.cells || std::abs(shift.rows) > window_.cells) return;
   if (window_.circular && turn > window_.turns) turn -= 2 * window_.turns;
   if (window_.circular && turn < -window_.turns) turn += 2 * window_.turns;
   if (std::abs(turn) > window_.turns || !isNew(shift, turn)) return;
-  const Alignment tried = evaluate(shift, turn);
-  if (tried.score > at.score) at = tried;
+  proposed_.push_back({shift, turn});
+}
+
+void Climber::takeBest(Alignment& at) {
+  evaluate(proposed_.data(), proposed_.size());
+  for (const Alignment& tried : proposed_) {
+    if (tried.score > at.score) at = tried;
+  }
+  proposed_.clear();
 }
 
 bool Climber::isNew(CellShift shift, int turn) {

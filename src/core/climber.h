@@ -1,10 +1,12 @@
 #ifndef PLACE_MEMORY_CORE_CLIMBER_H
 #define PLACE_MEMORY_CORE_CLIMBER_H
 
+#include <cstddef>
 #include <vector>
 
 #include "linear_metric.h"
 #include "place_memory/core/alignment_search.h"
+#include "transform_kernel.h"
 
 namespace place_memory::core {
 
@@ -15,6 +17,8 @@ class Climber {
           const SearchWindow& window);
 
   Alignment evaluate(CellShift shift, int turn) const;
+  /// Sets what each of them scores; many at once are faster than one by one.
+  void evaluate(Alignment* begin, std::size_t size) const;
 
   /// Climbs from a transform of the window: moves by `first_step` cells or turns while that scores
   /// higher, then by half of it, and so on to single ones (paper 4). Where another climb has been
@@ -30,10 +34,16 @@ class Climber {
   std::vector<Alignment> summits() const;
 
  private:
+  double cost(const Alignment& at) const;
+  double overlapScore(const Alignment& at) const;
+  double score(const PlaneCounts& counts) const;
   Alignment climbFrom(Alignment from, int first_step);
   bool stepUp(int step, Alignment& at);
-  /// Takes it where it lies in the window, is tried for the first time, and scores higher.
-  void tryAlignment(CellShift shift, int turn, Alignment& at);
+  /// Keeps it to be tried where it lies in the window and has not been tried before.
+  void propose(CellShift shift, int turn);
+  /// Evaluates what was proposed; takes the best of them where it scores higher, of equal ones the
+  /// first.
+  void takeBest(Alignment& at);
   /// Whether it has not been tried before.
   bool isNew(CellShift shift, int turn);
 
@@ -44,6 +54,7 @@ class Climber {
   LinearMetric linear_;
   double of_place_;
   std::vector<bool> tried_;  ///< of all transforms in the window, once a climb has begun
+  std::vector<Alignment> proposed_;
   std::vector<Alignment> summits_;
 };
 

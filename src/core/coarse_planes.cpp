@@ -6,110 +6,131 @@
 namespace place_memory::core {
 namespace {
 
-constexpr std::uint64_t kSecondColumns = 0x5555555555555555;
 constexpr std::uint64_t kFourthColumns = 0x1111111111111111;
+constexpr std::size_t kSide = 4;  ///< cells along the side of a coarse one
 
-/// In every second column: whether two of the four cells there are set in two neighbouring rows.
-std::uint64_t twoOfFour(std::uint64_t a, std::uint64_t b) {
-  const std::uint64_t a_next = a >> 1;
-  const std::uint64_t b_next = b >> 1;
-  return ((a & a_next) | (b & b_next) | ((a | a_next) & (b | b_next))) & kSecondColumns;
-}
+/// Unsensed rows are put before and behind a plane, so that coarse rows may begin there.
+constexpr std::size_t kPad = kGridSize;
+constexpr std::size_t kPadded = kPad + kGridSize + kPad;
+constexpr std::size_t kStripsAWord = 4;
 
-/// 32 rows of coarse cells, each in every second column.
-struct CoarseCells {
-  explicit CoarseCells(const CellPlanes& cells) {
-    for (std::size_t row = 0; row < kRows; ++row) {
-      occupied[row] = twoOfFour(cells.occupied[2 * row], cells.occupied[2 * row + 1]);
-      empty[row] = twoOfFour(cells.empty[2 * row], cells.empty[2 * row + 1]) & ~occupied[row];
-    }
-  }
-
-  static constexpr std::size_t kRows = kGridSize / 2;
-  std::array<std::uint64_t, kRows> occupied, empty;
+/// What coarse cells are made of whose uppermost row is any row of a plane.
+struct Strips {
+  std::array<std::uint64_t, kPadded> fours{};    ///< cells set in groups of four columns, by row
+  std::array<std::uint64_t, kPadded> filled{};   ///< in every fourth column; from each row on
+  std::array<std::uint64_t, kPadded> words{};    ///< of the strips that begin at each fourth row
+  std::array<std::uint16_t, kGridSize + 1> set;  ///< cells set before each row
 };
 
-std::uint64_t shiftedColumns(std::uint64_t row, int by) { return by >= 0 ? row << by : row >> -by; }
-
-/// Two rows of coarse cells share a word.
-void pack(const CoarseCells& cells, CellShift shift, QueryRow* rows) {
-  for (std::size_t i = 0; i < kCoarseRows; ++i) rows[i] = {};
-  const int first = std::max(0, shift.rows / 2);
-  const int end = static_cast<int>(CoarseCells::kRows) + std::min(0, shift.rows / 2);
-  for (int row = first; row < end; ++row) {
-    const auto from = static_cast<std::size_t>(row - shift.rows / 2);
-    QueryRow& to = rows[row / 2];
-    to.occupied |= shiftedColumns(cells.occupied[from], shift.columns) << row % 2;
-    to.empty |= shiftedColumns(cells.empty[from], shift.columns) << row % 2;
-  }
-}
-
-BitPlane shifted(const BitPlane& plane, CellShift shift) {
-  BitPlane moved{};
-  const int first = std::max(0, shift.rows);
-  const int end = std::min(kGridSize, kGridSize + shift.rows);
-  const std::uint64_t* from = plane.data() + (first - shift.rows);
-  std::uint64_t* to = moved.data() + first;
-  for (int row = 0; row < end - first; ++row) to[row] = shiftedColumns(from[row], shift.columns);
-  return moved;
-}
-
-/// Cells set among eight: of two rows, in groups of four columns; each in four bits.
-std::uint64_t countEights(std::uint64_t a, std::uint64_t b) {
-  constexpr std::uint64_t kPairs = 0x3333333333333333;
-  const auto count = [](std::uint64_t row) {
-    const std::uint64_t pairs = row - (row >> 1 & kSecondColumns);
-    return (pairs & kPairs) + (pairs >> 2 & kPairs);
-  };
-  return count(a) + count(b);
-}
-
-/// Whether so many of sixteen cells are set, in every fourth column.
-struct Filled {
-  std::uint64_t two;
-  std::uint64_t eight;
-};
-
-Filled filled(const std::uint64_t* rows) {
-  const std::uint64_t upper = countEights(rows[0], rows[1]);
-  const std::uint64_t lower = countEights(rows[2], rows[3]);
+/// Whether so many cells of each sixteen are set: of four rows, in every fourth column.
+template <bool kTwo>
+[[gnu::always_inline]] inline std::uint64_t filled(const std::uint64_t* fours) {
+  const std::uint64_t upper = fours[0] + fours[1];
+  const std::uint64_t lower = fours[2] + fours[3];
   // Eight and eight would not fit into four bits, so an eight is told apart and counts as seven.
   const std::uint64_t all = (upper | lower) >> 3 & kFourthColumns;
   const std::uint64_t sum =
       upper - (upper >> 3 & kFourthColumns) + lower - (lower >> 3 & kFourthColumns);
   const std::uint64_t eight = (sum >> 3 & kFourthColumns) | all;
-  return {((sum >> 1 | sum >> 2) & kFourthColumns) | eight, eight};
+  return kTwo ? ((sum >> 1 | sum >> 2) & kFourthColumns) | eight : eight;
+}
+
+[[gnu::always_inline]] inline void countFours(const BitPlane& plane, int columns, Strips& strips) {
+  constexpr std::uint64_t kSecondColumns = 0x5555555555555555, kPairs = 0x3333333333333333;
+  const int left = std::max(0, columns), right = std::max(0, -columns);
+  for (std::size_t row = 0; row < kGridSize; ++row) {
+    const std::uint64_t cells = plane[row] << left >> right;
+    const std::uint64_t pairs = cells - (cells >> 1 & kSecondColumns);
+    strips.fours[kPad + row] = (pairs & kPairs) + (pairs >> 2 & kPairs);
+  }
+}
+
+template <bool kTwo>
+[[gnu::always_inline]] inline void fillStrips(const BitPlane& plane, int columns, Strips& strips) {
+  constexpr std::uint64_t kEighthColumns = 0x0f0f0f0f0f0f0f0f, kSum = 0x0101010101010101;
+  countFours(plane, columns, strips);
+  for (std::size_t row = kPad - (kSide - 1); row < kPad + kGridSize; ++row) {
+    strips.filled[row] = filled<kTwo>(strips.fours.data() + row);
+  }
+  constexpr std::size_t kRowsAWord = kSide * kStripsAWord;
+  for (std::size_t row = kPad - (kRowsAWord - 1); row < kPad + kGridSize; ++row) {
+    const std::uint64_t* strip = strips.filled.data() + row;
+    strips.words[row] =
+        (strip[0] | strip[kSide] << 1) | (strip[2 * kSide] << 2 | strip[3 * kSide] << 3);
+  }
+  std::uint64_t set = 0;
+  for (std::size_t row = 0; row < kGridSize; ++row) {
+    strips.set[row] = static_cast<std::uint16_t>(set);
+    const std::uint64_t fours = strips.fours[kPad + row];
+    set += ((fours + (fours >> 4)) & kEighthColumns) * kSum >> 56;
+  }
+  strips.set[kGridSize] = static_cast<std::uint16_t>(set);
+}
+
+[[gnu::always_inline]] inline void pack(const Strips& occupied, const Strips& empty, int shift,
+                                        QueryRow* rows) {
+  const auto first = static_cast<std::size_t>(static_cast<int>(kPad) - shift);
+  for (std::size_t i = 0; i < kCoarsestRows; ++i) {
+    const std::size_t row = first + kSide * kStripsAWord * i;
+    rows[i] = {occupied.words[row], empty.words[row] & ~occupied.words[row]};
+  }
+}
+
+[[gnu::always_inline]] inline std::uint16_t setAfter(const Strips& strips, int shift) {
+  const auto first = static_cast<std::size_t>(std::max(0, -shift));
+  const auto end = static_cast<std::size_t>(kGridSize - std::max(0, shift));
+  return static_cast<std::uint16_t>(strips.set[end] - strips.set[first]);
+}
+
+[[gnu::always_inline]] inline void coarsenAll(const CellPlanes& cells, const int* by,
+                                              std::size_t count, QueryRow* rows,
+                                              CellTotals* inside) {
+  Strips occupied, empty;
+  for (std::size_t column = 0; column < count; ++column) {
+    fillStrips<true>(cells.occupied, by[column], occupied);
+    fillStrips<false>(cells.empty, by[column], empty);
+    for (std::size_t row = 0; row < count; ++row) {
+      const std::size_t i = row * count + column;
+      pack(occupied, empty, by[row], rows + i * kCoarsestRows);
+      inside[i] = {setAfter(occupied, by[row]), setAfter(empty, by[row])};
+    }
+  }
+}
+
+using Coarsen = void (*)(const CellPlanes&, const int*, std::size_t, QueryRow*, CellTotals*);
+
+void coarsenPortable(const CellPlanes& cells, const int* by, std::size_t count, QueryRow* rows,
+                     CellTotals* inside) {
+  coarsenAll(cells, by, count, rows, inside);
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void coarsenAvx2(const CellPlanes& cells, const int* by, std::size_t count,
+                                         QueryRow* rows, CellTotals* inside) {
+  coarsenAll(cells, by, count, rows, inside);
+}
+#endif
+
+Coarsen fastestCoarsen() {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx2")) return coarsenAvx2;
+#endif
+  return coarsenPortable;
 }
 
 }  // namespace
 
-void coarsen(const CellPlanes& cells, QueryRow* rows) { pack(CoarseCells(cells), {0, 0}, rows); }
-
-void coarsenShifted(const CellPlanes& cells, const std::vector<CellShift>& shifts, QueryRow* rows) {
-  const CoarseCells coarse(cells);
-  for (std::size_t i = 0; i < shifts.size(); ++i) pack(coarse, shifts[i], rows + i * kCoarseRows);
-}
-
 void coarsenMost(const CellPlanes& cells, QueryRow* rows) {
-  for (std::size_t i = 0; i < kCoarsestRows; ++i) {
-    rows[i] = {};
-    for (std::size_t strip = 0; strip < 4; ++strip) {
-      const std::size_t first = 16 * i + 4 * strip;
-      rows[i].occupied |= filled(cells.occupied.data() + first).two << strip;
-      rows[i].empty |= filled(cells.empty.data() + first).eight << strip;
-    }
-    rows[i].empty &= ~rows[i].occupied;
-  }
+  constexpr int kUnmoved = 0;
+  CellTotals all;
+  coarsenPortable(cells, &kUnmoved, 1, rows, &all);
 }
 
-void coarsenMostShifted(const CellPlanes& cells, const std::vector<CellShift>& shifts,
-                        QueryRow* rows) {
-  for (std::size_t i = 0; i < shifts.size(); ++i) {
-    CellPlanes moved;
-    moved.occupied = shifted(cells.occupied, shifts[i]);
-    moved.empty = shifted(cells.empty, shifts[i]);
-    coarsenMost(moved, rows + i * kCoarsestRows);
-  }
+void coarsenShifted(const CellPlanes& cells, const std::vector<int>& by, QueryRow* rows,
+                    CellTotals* inside) {
+  static const Coarsen fastest = fastestCoarsen();
+  fastest(cells, by.data(), by.size(), rows, inside);
 }
 
 }  // namespace place_memory::core

@@ -5,26 +5,20 @@
 
 #include "block_kernel.h"
 #include "place_memory/core/cell_planes.h"
+#include "place_memory/core/place_block.h"
 #include "place_memory/core/plane_block.h"
-#include "place_memory/core/query_planes.h"
 
 namespace place_memory::core {
 
-/// Rows of planes of 32 x 32 cells, each as four cells of a grid are: occupied where two of them
-/// are, else empty where two of them are.
-constexpr std::size_t kCoarseRows = 16;
-void coarsen(const CellPlanes& cells, QueryRow* rows);
-
-/// kCoarseRows for each of the shifts, which are even.
-void coarsenShifted(const CellPlanes& cells, const std::vector<CellShift>& shifts, QueryRow* rows);
-
-/// Likewise kCoarsestRows of 16 x 16 cells: occupied where two of the sixteen are, else empty where
-/// eight of them are. Walls are thin.
+/// kCoarsestRows rows of planes of 16 x 16 cells, each as sixteen cells of a grid are: occupied
+/// where two of them are, else empty where eight of them are. Walls are thin.
 void coarsenMost(const CellPlanes& cells, QueryRow* rows);
 
-/// kCoarsestRows for each of the shifts.
-void coarsenMostShifted(const CellPlanes& cells, const std::vector<CellShift>& shifts,
-                        QueryRow* rows);
+/// The cells after each shift of a square of them: for all of `by` along y, for all of `by` along
+/// x. Sets kCoarsestRows rows for each shift, and how many cells still lie on the grid. Shifts in
+/// [-63, 63].
+void coarsenShifted(const CellPlanes& cells, const std::vector<int>& by, QueryRow* rows,
+                    CellTotals* inside);
 
 }  // namespace place_memory::core
 

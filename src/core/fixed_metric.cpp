@@ -44,7 +44,9 @@ std::int64_t FixedMetric::ofPlace(const CellTotals& learned) const {
 }
 
 std::int64_t FixedMetric::fixed(double points) const {
-  return std::llround(std::clamp(points * scale_, -kMost, kMost));
+  const double scaled = std::clamp(points * scale_, -kMost, kMost);
+  // To the nearest, without a call of the library: very many transforms have one.
+  return static_cast<std::int64_t>(scaled + (scaled < 0.0 ? -0.5 : 0.5));
 }
 
 }  // namespace place_memory::core

@@ -1,14 +1,11 @@
 #include "place_looks.h"
 
 #include <algorithm>
-#include <array>
-
-#include "coarse_planes.h"
 
 namespace place_memory::core {
 namespace {
 
-constexpr std::size_t kBlocksATask = 64;
+constexpr std::size_t kBlocksATask = 32;
 
 }  // namespace
 
@@ -35,7 +32,7 @@ std::vector<Glimpse> PlaceLooks::everyPlace() const {
   return seen;
 }
 
-std::vector<Glimpse> PlaceLooks::lookFirst(const StartLattice& lattice) const {
+std::vector<Glimpse> PlaceLooks::lookAtAll(const StartLattice& lattice) const {
   std::vector<Glimpse> seen = everyPlace();
   const auto& blocks = places_.blocks();
   std::vector<Glimpse*> of_block;
@@ -45,13 +42,14 @@ std::vector<Glimpse> PlaceLooks::lookFirst(const StartLattice& lattice) const {
     next += block->size();
   }
   const auto look = [&](std::size_t task) {
-    std::vector<BlockScores> scores;
+    LookScores scores;
     const std::size_t end = std::min(blocks.size(), (task + 1) * kBlocksATask);
     for (std::size_t i = task * kBlocksATask; i < end; ++i) {
-      const BlockBest best = lattice.score(blocks[i]->coarsest().data(), scores);
+      lattice.look(blocks[i]->coarsest(), scores);
       for (std::size_t slot = 0; slot < blocks[i]->size(); ++slot) {
-        of_block[i][slot].score = best.score[slot] + metric_.ofPlace(blocks[i]->totals(slot));
-        of_block[i][slot].start = static_cast<std::uint32_t>(best.transform[slot]);
+        const ScoredStart best = lattice.best(scores, slot);
+        of_block[i][slot].score = best.score + metric_.ofPlace(blocks[i]->totals(slot));
+        of_block[i][slot].start = best.start;
       }
     }
   };
@@ -59,37 +57,19 @@ std::vector<Glimpse> PlaceLooks::lookFirst(const StartLattice& lattice) const {
   return seen;
 }
 
-void PlaceLooks::lookClosely(const StartLattice& lattice, Glimpse* begin, Glimpse* end) const {
-  const auto look = [&](std::size_t task) {
-    std::vector<BlockScores> scores;
-    Glimpse* const first = begin + task * kBlockPlaces;
-    Glimpse* const last = std::min(end, first + kBlockPlaces);
-    const BlockBest best = scoreClosely(lattice, first, last, scores);
-    for (Glimpse* glimpse = first; glimpse != last; ++glimpse) {
-      const auto i = static_cast<std::size_t>(glimpse - first);
-      const CellTotals& totals =
-          blockOf(glimpse->place).totals(glimpse->place % PlaceIndex::kBlockSize);
-      glimpse->score = best.score[i] + metric_.ofPlace(totals);
-      glimpse->start = static_cast<std::uint32_t>(best.transform[i]);
-    }
-  };
-  const auto places = static_cast<std::size_t>(end - begin);
-  pool_.run((places + kBlockPlaces - 1) / kBlockPlaces, look, poll_);
-}
-
-BlockBest PlaceLooks::scoreClosely(const StartLattice& lattice, const Glimpse* begin,
-                                   const Glimpse* end, std::vector<BlockScores>& scores) const {
-  std::array<BlockRow, kCoarseRows> rows{};
-  std::array<QueryRow, kCoarseRows> of_place;
+void PlaceLooks::look(const StartLattice& lattice, const Glimpse* begin, const Glimpse* end,
+                      LookScores& scores) const {
+  CoarsestBlock rows{};
   for (const Glimpse* glimpse = begin; glimpse != end; ++glimpse) {
-    coarsen(cellsOf(glimpse->place), of_place.data());
+    const CoarsestBlock& from = blockOf(glimpse->place).coarsest();
+    const std::size_t slot = glimpse->place % PlaceIndex::kBlockSize;
     const auto i = static_cast<std::size_t>(glimpse - begin);
-    for (std::size_t row = 0; row < kCoarseRows; ++row) {
-      rows[row].occupied[i] = of_place[row].occupied;
-      rows[row].empty[i] = of_place[row].empty;
+    for (std::size_t row = 0; row < kCoarsestRows; ++row) {
+      rows[row].occupied[i] = from[row].occupied[slot];
+      rows[row].empty[i] = from[row].empty[slot];
     }
   }
-  return lattice.score(rows.data(), scores);
+  lattice.look(rows, scores);
 }
 
 }  // namespace place_memory::core

@@ -35,17 +35,14 @@ class PlaceLooks {
   const PlaceEntry& entryOf(PlaceSlot place) const;
   CellPlanes cellsOf(PlaceSlot place) const;
 
-  /// All places, as `lattice`, one of kFirstLook, shows them.
-  std::vector<Glimpse> lookFirst(const StartLattice& lattice) const;
+  /// All places, as the lattice shows them.
+  std::vector<Glimpse> lookAtAll(const StartLattice& lattice) const;
   /// All places, none looked at.
   std::vector<Glimpse> everyPlace() const;
 
-  /// Looks again, through a lattice of kCloseLook.
-  void lookClosely(const StartLattice& lattice, Glimpse* begin, Glimpse* end) const;
-
-  /// What the places of up to kBlockPlaces glimpses score at all starts of a lattice of kCloseLook.
-  BlockBest scoreClosely(const StartLattice& lattice, const Glimpse* begin, const Glimpse* end,
-                         std::vector<BlockScores>& scores) const;
+  /// Looks at the places of up to kBlockPlaces glimpses.
+  void look(const StartLattice& lattice, const Glimpse* begin, const Glimpse* end,
+            LookScores& scores) const;
 
  private:
   const PlaceIndex& places_;

@@ -20,7 +20,7 @@ struct PlaceAlignment {
 /// Of more places than these, searchPlaces() returns the best ones.
 constexpr std::size_t kMostRanked = 1024;
 /// So many of the best places have been climbed for from all starts.
-constexpr std::size_t kSurelyClimbed = 32;
+constexpr std::size_t kSurelyClimbed = 16;
 
 /// Aligns the recognition grid with the places, and returns them by falling score; places that
 /// score the same, by rising id. All methods but restarts align every place fully. Restarts look at

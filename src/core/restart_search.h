@@ -14,7 +14,7 @@
 namespace place_memory::core {
 
 /// searchPlaces() by restarts: hill climbing for the places that may be the best ones. The first
-/// look leaves out most of many places, the close look most of the rest.
+/// look leaves out most of many places, the best starts of a close look most of the rest.
 class RestartSearch {
  public:
   /// Keeps references to all of these. `poll` may throw.
@@ -25,24 +25,27 @@ class RestartSearch {
 
  private:
   struct Ranked {
-    Glimpse glimpse;
+    PlaceSlot place;
     Alignment alignment;
+    Starts starts;
     std::vector<Alignment> summits;  ///< once climbed for; best first
     bool settled = false;
   };
 
-  /// The places that are looked at closely.
-  std::vector<Glimpse> shortlist() const;
-  /// The best places of all that were `seen`, in any order: climbed for, or as the close look shows
-  /// them.
-  std::vector<Ranked> rank(const StartLattice& lattice, std::vector<Glimpse>& seen) const;
-  /// At the best starts of a look.
-  void rankUnclimbed(const StartLattice& lattice, const Glimpse* begin, const Glimpse* end,
-                     std::vector<Ranked>& ranked) const;
-  void climb(const StartLattice& lattice, const std::vector<Ranked*>& places) const;
+  static bool isBetter(const Ranked& a, const Ranked& b);
+
+  /// How many places are climbed for at the least.
+  std::size_t climbed() const;
+  /// The best places, each at its best start.
+  std::vector<Ranked> rank() const;
+  void lookClosely(const std::vector<Glimpse>& seen, std::vector<Ranked>& ranked) const;
+  /// At the best starts that the first look showed; behind those that are ranked.
+  void rankOthers(const StartLattice& lattice, const std::vector<Glimpse>& seen,
+                  std::vector<Ranked>& ranked) const;
+  void climb(const std::vector<Ranked*>& places) const;
   void settleSummits(const std::vector<Ranked*>& places) const;
-  /// Sorts; climbs on until the first are all climbed for and the very first are settled.
-  void finish(const StartLattice& lattice, std::vector<Ranked>& ranked) const;
+  /// Sorts; climbs until the first are all climbed for and the very first are settled.
+  void finish(std::vector<Ranked>& ranked) const;
 
   const QueryPlanes& query_;
   const LatticeMetric& metric_;
@@ -50,6 +53,7 @@ class RestartSearch {
   const std::function<void()>& poll_;
   WorkerPool& pool_;
   FixedMetric fixed_;
+  StartLattice lattice_;  ///< of the close look
   PlaceLooks looks_;
   std::size_t size_;
 };

@@ -9,24 +9,38 @@ constexpr int kFirstStep = 4;
 /// Starts of the lattice are nearer to their summits than the expected pose is.
 constexpr int kFirstStepFromStart = 2;
 
-/// Measured on simulated places: more finds no better alignments.
-constexpr std::size_t kStarts = 16;
-constexpr std::size_t kClimbs = 4;  ///< from the best of these
-constexpr std::size_t kSettled = 4;
+/// Of the starts that a look shows so many are evaluated.
+constexpr std::size_t kEvaluated = 16;
+constexpr std::size_t kSettled = 2;
 
 }  // namespace
 
 void climbOnce(Climber& climber) { climber.climb({0, 0}, 0, kFirstStep); }
 
-std::vector<Alignment> climbFromStarts(Climber& climber, const StartLattice& lattice,
-                                       const std::vector<BlockScores>& scores, std::size_t place) {
-  climbOnce(climber);
+Starts chooseStarts(const Climber& climber, const StartLattice& lattice, const LookScores& scores,
+                    std::size_t place) {
+  std::vector<ScoredStart> seen;
+  lattice.bestStarts(scores, place, kEvaluated, seen);
   // Coarse cells told where good starts are; the cells themselves tell which are the best.
-  std::vector<Alignment> starts = lattice.bestStarts(scores, place, kStarts);
-  for (Alignment& start : starts) start = climber.evaluate(start.shift, start.turn);
-  std::stable_sort(starts.begin(), starts.end(),
-                   [](const Alignment& a, const Alignment& b) { return a.score > b.score; });
-  if (starts.size() > kClimbs) starts.resize(kClimbs);
+  std::sort(seen.begin(), seen.end(),
+            [](const ScoredStart& a, const ScoredStart& b) { return a.start < b.start; });
+  std::array<Alignment, kEvaluated> evaluated;
+  for (std::size_t i = 0; i < seen.size(); ++i) evaluated[i] = lattice.start(seen[i].start);
+  Alignment* const begin = evaluated.data();
+  climber.evaluate(begin, seen.size());
+  Starts chosen;
+  for (std::size_t i = 0; i < std::min(Starts::kMost, seen.size()); ++i) {
+    Alignment* const best =
+        std::max_element(begin + i, begin + seen.size(),
+                         [](const Alignment& a, const Alignment& b) { return a.score < b.score; });
+    std::rotate(begin + i, best, best + 1);
+    chosen.add(begin[i]);
+  }
+  return chosen;
+}
+
+std::vector<Alignment> climbFromStarts(Climber& climber, const Starts& starts) {
+  climbOnce(climber);
   for (const Alignment& start : starts) {
     climber.climb(start.shift, start.turn, kFirstStepFromStart);
   }

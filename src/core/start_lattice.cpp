@@ -1,55 +1,52 @@
 #include "start_lattice.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "coarse_planes.h"
-#include "pair_kernel.h"
 
 namespace place_memory::core {
 namespace {
 
-/// Cells that lie on the learned grid after the shift.
-CellTotals countInside(const CellPlanes& cells, CellShift shift) {
-  const int rows = kGridSize - std::abs(shift.rows);
-  const std::uint64_t* o = cells.occupied.data() + std::max(0, -shift.rows);
-  const std::uint64_t* e = cells.empty.data() + std::max(0, -shift.rows);
-  const PlaneCounts n = countPlanes({o, e, o, e, rows, shift.columns});
-  return {static_cast<std::uint16_t>(n.occupied), static_cast<std::uint16_t>(n.empty)};
-}
+/// Measured: what pairs of coarse cells told of the pairs of cells where simulated places aligned.
+constexpr PairShares kShares{4.7, 7.7, 8.2, 20.8};
+
+/// So few are not worth waking other threads for.
+constexpr std::size_t kTurnsATask = 8;
 
 }  // namespace
-
-// Measured: what pairs of coarse cells told of the pairs of cells where simulated places aligned.
-const Look kCloseLook{2, 3, kCoarseRows, coarsenShifted, {3.2, 3.2, 3.2, 3.2}};
-const Look kFirstLook{3, 4, kCoarsestRows, coarsenMostShifted, {4.7, 7.7, 8.2, 20.8}};
 
 StartLattice::StartLattice(const QueryPlanes& query, const FixedMetric& metric,
                            const SearchWindow& window, const Look& look, WorkerPool& pool)
     : look_(look),
       circular_(window.circular),
-      most_cells_(window.cells - window.cells % look.cells),
-      side_(1 + 2 * static_cast<std::size_t>(most_cells_ / look.cells)),
-      factors_(metric.factors(look.shares)),
+      most_cells_(window.cells - window.cells % look_.cells),
+      side_(1 + 2 * static_cast<std::size_t>(most_cells_ / look_.cells)),
+      factors_(metric.factors(kShares)),
       kernel_(fastestBlockKernel()) {
-  const int most_turns = circular_ ? window.turns : window.turns - window.turns % look.turns;
+  const int most_turns = circular_ ? window.turns : window.turns - window.turns % look_.turns;
   const int last_turn = circular_ ? window.turns - 1 : most_turns;
   first_turn_ = -most_turns;
-  turns_ = 1 + static_cast<std::size_t>((last_turn - first_turn_) / look.turns);
-  query_.resize(turns_ * side_ * side_ * look.rows);
+  turns_ = 1 + static_cast<std::size_t>((last_turn - first_turn_) / look_.turns);
+  query_.resize(turns_ * side_ * side_ * kCoarsestRows);
   offsets_.resize(turns_ * side_ * side_);
-  const std::size_t shifts = side_ * side_;
-  pool.run(turns_, [&](std::size_t turn) {
-    const std::size_t first = turn * shifts;
-    const CellPlanes& turned = query.at(start(first).turn);
-    std::vector<CellShift> all;
-    for (std::size_t i = first; i < first + shifts; ++i) {
-      const Alignment at = start(i);
-      all.push_back(at.shift);
-      offsets_[i] = metric.ofTransform(countInside(turned, at.shift), at.shift, at.turn);
-    }
-    look.coarsen(turned, all, query_.data() + first * look.rows);
+  pool.run((turns_ + kTurnsATask - 1) / kTurnsATask, [&](std::size_t task) {
+    const std::size_t end = std::min(turns_, (task + 1) * kTurnsATask);
+    for (std::size_t turn = task * kTurnsATask; turn < end; ++turn) prepare(query, metric, turn);
   });
+}
+
+void StartLattice::prepare(const QueryPlanes& query, const FixedMetric& metric, std::size_t turn) {
+  const std::size_t shifts = side_ * side_;
+  const std::size_t first = turn * shifts;
+  const CellPlanes& turned = query.at(start(first).turn);
+  std::vector<int> by;
+  for (std::size_t i = 0; i < side_; ++i) by.push_back(start(i).shift.columns);
+  std::vector<CellTotals> inside(shifts);
+  coarsenShifted(turned, by, query_.data() + first * kCoarsestRows, inside.data());
+  for (std::size_t i = 0; i < shifts; ++i) {
+    const Alignment at = start(first + i);
+    offsets_[first + i] = metric.ofTransform(inside[i], at.shift, at.turn);
+  }
 }
 
 Alignment StartLattice::start(std::size_t index) const {
@@ -63,31 +60,43 @@ Alignment StartLattice::start(std::size_t index) const {
   return alignment;
 }
 
-BlockBest StartLattice::score(const BlockRow* places, std::vector<BlockScores>& scores) const {
-  scores.resize(size());
-  return kernel_({places, query_.data(), look_.rows, size(), factors_, offsets_.data()},
-                 scores.data());
+void StartLattice::look(const CoarsestBlock& places, LookScores& scores) const {
+  const std::size_t shifts = side_ * side_;
+  scores.scratch.resize(shifts);
+  scores.of_turn.resize(turns_);
+  for (std::size_t turn = 0; turn < turns_; ++turn) {
+    const std::size_t first = turn * shifts;
+    scores.of_turn[turn] = kernel_({places.data(), query_.data() + first * kCoarsestRows,
+                                    kCoarsestRows, shifts, factors_, offsets_.data() + first},
+                                   scores.scratch.data());
+  }
 }
 
-std::vector<Alignment> StartLattice::bestStarts(const std::vector<BlockScores>& scores,
-                                                std::size_t place, std::size_t most) const {
-  const std::size_t shifts = side_ * side_;
-  std::vector<std::size_t> best;
-  for (std::size_t first = 0; first < size(); first += shifts) {
-    std::size_t of_turn = first;
-    for (std::size_t i = first + 1; i < first + shifts; ++i) {
-      if (scores[i][place] > scores[of_turn][place]) of_turn = i;
-    }
-    best.push_back(of_turn);
+ScoredStart StartLattice::best(const LookScores& scores, std::size_t place) const {
+  std::size_t best = 0;
+  for (std::size_t turn = 1; turn < turns_; ++turn) {
+    if (scores.of_turn[turn].score[place] > scores.of_turn[best].score[place]) best = turn;
   }
-  std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) {
-    return scores[a][place] > scores[b][place];
-  });
-  if (best.size() > most) best.resize(most);
-  std::vector<Alignment> starts;
-  starts.reserve(best.size());
-  for (const std::size_t i : best) starts.push_back(start(i));
-  return starts;
+  return startOf(scores, best, place);
+}
+
+void StartLattice::bestStarts(const LookScores& scores, std::size_t place, std::size_t most,
+                              std::vector<ScoredStart>& starts) const {
+  starts.clear();
+  for (std::size_t turn = 0; turn < turns_; ++turn) starts.push_back(startOf(scores, turn, place));
+  if (starts.size() <= most) return;
+  std::nth_element(starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(most), starts.end(),
+                   [](const ScoredStart& a, const ScoredStart& b) {
+                     return a.score != b.score ? a.score > b.score : a.start < b.start;
+                   });
+  starts.resize(most);
+}
+
+ScoredStart StartLattice::startOf(const LookScores& scores, std::size_t turn,
+                                  std::size_t place) const {
+  const BlockBest& best = scores.of_turn[turn];
+  const auto shift = static_cast<std::size_t>(best.transform[place]);
+  return {best.score[place], static_cast<std::uint32_t>(turn * side_ * side_ + shift)};
 }
 
 }  // namespace place_memory::core

@@ -11,22 +11,31 @@
 
 namespace place_memory::core {
 
-/// How closely a search first looks.
+/// How closely starts lie.
 struct Look {
-  int cells;         ///< between the shifts it tries
-  int turns;         ///< between the turns it tries
-  std::size_t rows;  ///< of the coarse planes that it compares
-  /// Makes them, one shift after the other.
-  void (*coarsen)(const CellPlanes& cells, const std::vector<CellShift>& shifts, QueryRow* rows);
-  PairShares shares;
+  int cells;  ///< between shifts
+  int turns;  ///< between turns
 };
 
-/// Over 32 x 32 cells, close enough that climbs from the best few starts miss little.
-extern const Look kCloseLook;
-/// Over 16 x 16 cells, to leave out most of very many places.
-extern const Look kFirstLook;
+/// To leave out most of very many places.
+constexpr Look kFirstLook{3, 4};
+/// Close enough that climbs from the best few starts miss little.
+constexpr Look kCloseLook{2, 2};
 
-/// The recognition grid under the transforms of a search's window that climbs may start from.
+/// What one place scores at a start, in the fixed point of the metric.
+struct ScoredStart {
+  std::int64_t score;
+  std::uint32_t start;
+};
+
+/// What a look at a block of places showed; used again and again, so that nothing is allocated.
+struct LookScores {
+  std::vector<BlockBest> of_turn;  ///< the best start of each turn
+  std::vector<BlockScores> scratch;
+};
+
+/// The recognition grid in 16 x 16 cells, under the transforms of a search's window that climbs may
+/// start from.
 class StartLattice {
  public:
   StartLattice(const QueryPlanes& query, const FixedMetric& metric, const SearchWindow& window,
@@ -34,21 +43,26 @@ class StartLattice {
 
   /// Number of starts; at least 1.
   std::size_t size() const { return offsets_.size(); }
+  std::size_t turns() const { return turns_; }
   /// Its transform; no score.
   Alignment start(std::size_t index) const;
-  std::size_t rows() const { return look_.rows; }
 
-  /// What each place of a block scores at each start, in the fixed point of the metric, beside what
-  /// belongs to the place: scores[start][place]; and the best start of each. `places`: rows()
-  /// coarse rows.
-  BlockBest score(const BlockRow* places, std::vector<BlockScores>& scores) const;
+  /// Looks at a block of places; scores are beside what belongs to the place.
+  void look(const CoarsestBlock& places, LookScores& scores) const;
 
-  /// The best start of each turn, of these the best `most`, best first; at least one.
-  std::vector<Alignment> bestStarts(const std::vector<BlockScores>& scores, std::size_t place,
-                                    std::size_t most) const;
+  /// The best start of all turns for one place of the block that was looked at; of equal ones the
+  /// first.
+  ScoredStart best(const LookScores& scores, std::size_t place) const;
+
+  /// The best start of each turn, of these the best `most`, in any order; at least one.
+  void bestStarts(const LookScores& scores, std::size_t place, std::size_t most,
+                  std::vector<ScoredStart>& starts) const;
 
  private:
-  const Look& look_;
+  ScoredStart startOf(const LookScores& scores, std::size_t turn, std::size_t place) const;
+  void prepare(const QueryPlanes& query, const FixedMetric& metric, std::size_t turn);
+
+  Look look_;
   bool circular_;
   int first_turn_;
   int most_cells_;
@@ -56,7 +70,7 @@ class StartLattice {
   std::size_t side_;   ///< number of shifts along x, and along y
   PairFactors factors_;
   BlockKernel kernel_;
-  std::vector<QueryRow> query_;  ///< rows() for each start
+  std::vector<QueryRow> query_;  ///< kCoarsestRows for each start
   std::vector<std::int64_t> offsets_;
 };
 
