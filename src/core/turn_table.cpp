@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <optional>
 
+#include "cell_windows.h"
 #include "place_memory/core/lattice.h"
 
 namespace place_memory::core {
@@ -15,6 +16,16 @@ constexpr int kEighth = kQuarter / 2;      ///< heading steps
 /// Of eight bytes, the lowest bit of each: that of the first byte becomes the lowest bit.
 std::uint64_t gatherBits(std::uint64_t bytes) {
   return (bytes & 0x0101010101010101) * 0x0102040810204080 >> 56;
+}
+
+/// The last column first.
+std::uint64_t mirrored(std::uint64_t row) {
+  constexpr std::uint64_t kOnes = 0x5555555555555555, kTwos = 0x3333333333333333;
+  constexpr std::uint64_t kFours = 0x0f0f0f0f0f0f0f0f;
+  row = (row >> 1 & kOnes) | (row & kOnes) << 1;
+  row = (row >> 2 & kTwos) | (row & kTwos) << 2;
+  row = (row >> 4 & kFours) | (row & kFours) << 4;
+  return __builtin_bswap64(row);
 }
 
 BitPlane transposed(BitPlane plane) {
@@ -31,10 +42,56 @@ BitPlane transposed(BitPlane plane) {
   return plane;
 }
 
-BitPlane quarterTurned(BitPlane plane) {
-  std::reverse(plane.begin(), plane.end());
-  return transposed(plane);
+/// Counter-clockwise.
+BitPlane turnedByQuarters(BitPlane plane, int quarters) {
+  if (quarters == 1 || quarters == 2) std::reverse(plane.begin(), plane.end());
+  if (quarters == 1 || quarters == 3) plane = transposed(plane);
+  if (quarters == 3) std::reverse(plane.begin(), plane.end());
+  if (quarters == 2) {
+    for (std::uint64_t& row : plane) row = mirrored(row);
+  }
+  return plane;
 }
+
+/// A turn by either way of turning.
+struct StepTable {
+  explicit StepTable(double angle) : by_cell(angle), by_window(by_cell.from()) {}
+
+  TurnTable by_cell;
+  WindowTable by_window;
+};
+
+/// A grid that is turned again and again.
+class TurnedCells {
+ public:
+  explicit TurnedCells(const EvidenceGrid& grid)
+      : TurnedCells(CellPlanes(grid), turnsByWindows()) {}
+
+  CellPlanes turn(const StepTable& table) const {
+#if defined(__x86_64__)
+    if (occupied_) {
+      CellPlanes turned;
+      turned.occupied = turnByWindows(*occupied_, table.by_window);
+      turned.empty = turnByWindows(*empty_, table.by_window);
+      return turned;
+    }
+#endif
+    return table.by_cell.turn(*bytes_);
+  }
+
+ private:
+  TurnedCells(const CellPlanes& cells, bool by_windows) {
+    if (by_windows) {
+      occupied_.emplace(cells.occupied);
+      empty_.emplace(cells.empty);
+    } else {
+      bytes_.emplace(cells);
+    }
+  }
+
+  std::optional<CellWindows> occupied_, empty_;
+  std::optional<CellBytes> bytes_;
+};
 
 /// Turns of less than a quarter; the others follow from them by quarter turns, but for those by odd
 /// eighths, which put cells on the border of two: there, rounding decides.
@@ -46,8 +103,8 @@ struct TurnTables {
     }
   }
 
-  std::vector<TurnTable> quarter;
-  std::vector<TurnTable> eighths;  ///< by -3, -1, 1 and 3 eighths
+  std::vector<StepTable> quarter;
+  std::vector<StepTable> eighths;  ///< by -3, -1, 1 and 3 eighths
 };
 
 }  // namespace
@@ -102,16 +159,16 @@ CellPlanes TurnTable::turn(const CellBytes& cells) const {
   return planes;
 }
 
-CellPlanes quarterTurned(const CellPlanes& cells) {
+CellPlanes turnedByQuarters(const CellPlanes& cells, int quarters) {
   CellPlanes turned;
-  turned.occupied = quarterTurned(cells.occupied);
-  turned.empty = quarterTurned(cells.empty);
+  turned.occupied = turnedByQuarters(cells.occupied, quarters);
+  turned.empty = turnedByQuarters(cells.empty, quarters);
   return turned;
 }
 
 std::vector<CellPlanes> turnedBySteps(const EvidenceGrid& grid, int turns) {
   static const TurnTables tables;
-  const CellBytes cells(grid);
+  const TurnedCells cells(grid);
   const int count = 2 * turns + 1;
   std::vector<CellPlanes> turned(static_cast<std::size_t>(count));
   const auto at = [&](int turn) -> CellPlanes& {
@@ -119,21 +176,17 @@ std::vector<CellPlanes> turnedBySteps(const EvidenceGrid& grid, int turns) {
     return turned[static_cast<std::size_t>(index)];
   };
   for (int base = 0; base < kQuarter; ++base) {
-    // base, and what quarter turns make of it, by rising angle.
-    int turn = base - (base + turns) / kQuarter * kQuarter;
-    if (turn > turns) continue;
-    CellPlanes planes = tables.quarter[static_cast<std::size_t>(base)].turn(cells);
-    for (int quarters = (base - turn) / kQuarter; quarters % 4 != 0; ++quarters) {
-      planes = quarterTurned(planes);
-    }
-    for (; turn <= turns; turn += kQuarter) {
-      at(turn) = planes;
-      planes = quarterTurned(planes);
+    // base, and what quarter turns make of it.
+    const int first = base - (base + turns) / kQuarter * kQuarter;
+    if (first > turns) continue;
+    const CellPlanes planes = cells.turn(tables.quarter[static_cast<std::size_t>(base)]);
+    for (int turn = first; turn <= turns; turn += kQuarter) {
+      at(turn) = turnedByQuarters(planes, ((turn - base) / kQuarter + 4) % 4);
     }
   }
   for (int i = 0; i < 4; ++i) {
     const int turn = (2 * i - 3) * kEighth;
-    if (std::abs(turn) <= turns) at(turn) = tables.eighths[static_cast<std::size_t>(i)].turn(cells);
+    if (std::abs(turn) <= turns) at(turn) = cells.turn(tables.eighths[static_cast<std::size_t>(i)]);
   }
   return turned;
 }

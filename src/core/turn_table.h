@@ -28,13 +28,15 @@ class TurnTable {
   explicit TurnTable(double angle);
 
   CellPlanes turn(const CellBytes& cells) const;
+  /// For each cell the one that it comes from; kGridCells: from outside.
+  const std::array<std::uint16_t, kGridCells>& from() const { return from_; }
 
  private:
-  std::array<std::uint16_t, kGridCells> from_;  ///< kGridCells: from outside
+  std::array<std::uint16_t, kGridCells> from_;
 };
 
-/// Turned by pi / 2, counter-clockwise.
-CellPlanes quarterTurned(const CellPlanes& cells);
+/// Turned by 0 to 3 times pi / 2, counter-clockwise.
+CellPlanes turnedByQuarters(const CellPlanes& cells, int quarters);
 
 /// The grid turned by -`turns` to `turns` heading steps (kHeadingStep) in [0, kHalfCircle].
 std::vector<CellPlanes> turnedBySteps(const EvidenceGrid& grid, int turns);
