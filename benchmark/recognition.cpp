@@ -18,6 +18,9 @@ constexpr std::size_t kSizes[] = {21, 47, 1000, 10000, 100000, 1000000};
 /// Largest memory that the yardstick is held to.
 constexpr std::size_t kMaxYardstick = 1000;
 
+/// Queries that evaluations are counted of: their number hardly differs from one to the next.
+constexpr std::size_t kCounted = 10;
+
 /// Seconds for a place that queries are planned with; they need to be right within a factor of ten.
 constexpr double kSecondsLocal = 1e-6;
 constexpr double kSecondsYardstick = 5e-4;
@@ -30,6 +33,25 @@ double headingWindow(const Setting& setting, bool any_heading) {
 
 double share(int part, std::size_t whole) {
   return static_cast<double>(part) / static_cast<double>(whole);
+}
+
+/// What the search of these queries takes, a place: not timed.
+double evaluationsPerPlace(const core::RecognizerOptions& options, const core::PlaceIndex& index,
+                           const std::vector<const Query*>& queries, double heading_window) {
+  const core::SearchWindow window =
+      core::searchWindow(options.position_window, heading_window, core::kDefaultCellSize);
+  const core::LatticeMetric metric =
+      core::onLattice(options.metric, window, core::kDefaultCellSize);
+  double evaluations = 0.0;
+  const std::size_t counted = std::min(queries.size(), kCounted);
+  for (std::size_t i = 0; i < counted; ++i) {
+    const core::QueryPlanes planes(queries[i]->scan.grid, core::kHeadingStep, window.turns);
+    core::SearchEffort effort;
+    core::searchPlaces(planes, index, metric, window, options.method, nullptr,
+                       core::WorkerPool::shared(), &effort);
+    evaluations += effort.evaluations;
+  }
+  return evaluations / static_cast<double>(counted * index.size());
 }
 
 /// One iteration is one scan that is recognized, prepared planes and all.
@@ -54,6 +76,8 @@ void recognition(State& state, Setting& setting, std::size_t size, bool any_head
   state.counters["top1"] = share(right, next);
   state.counters["recognized"] = share(recognized, next);
   state.counters["sure_and_wrong"] = share(wrongly, next);
+  state.counters["evaluations_per_place"] =
+      evaluationsPerPlace(setting.parameters().match.recognizer, index, queries, window);
   state.counters["places"] = static_cast<double>(size);
 }
 

@@ -35,6 +35,10 @@ def share_words(share):
     return "" if share is None else "%.3f" % share
 
 
+def number_words(number):
+    return "" if number is None else "%.3g" % number
+
+
 def ratio_words(ratio):
     return "" if ratio is None else "%.0f x" % ratio
 
@@ -99,6 +103,7 @@ def recognition(results):
             rows.append([
                 heading, size_words(size), time_words(own),
                 time_words(results.get("recognition" + end, "cpu_seconds")), time_words(own / size),
+                number_words(results.get("recognition" + end, "evaluations_per_place")),
                 time_words(results.get("yardstick" + end)),
                 ratio_words(ratio(results, heading, size)),
                 share_words(results.get("recognition" + end, "top1")),
@@ -106,8 +111,8 @@ def recognition(results):
                 share_words(results.get("recognition" + end, "recognized")),
                 share_words(results.get("recognition" + end, "sure_and_wrong")),
                 "%d" % results.get("recognition" + end, "queries")])
-    return table(["heading", "places", "a scan", "its CPU time", "a place", "yardstick", "ratio",
-                  "top-1", "yardstick's", "recognized", "sure and wrong", "queries"], rows)
+    return table(["heading", "places", "a scan", "its CPU time", "a place", "evaluations a place",
+                  "yardstick", "ratio", "top-1", "yardstick's", "recognized", "sure and wrong", "queries"], rows)
 
 
 def full_search(results):

@@ -23,22 +23,25 @@ CURVES = {  # benchmark: title, colour, marker
 
 
 def draw(axes, results, value):
+    """value(name, size): of the benchmark of that name; None where it was not counted."""
     for beginning, (title, colour, marker) in CURVES.items():
-        sizes = results.sizes(beginning)
-        if sizes:
-            axes.loglog(sizes, [value(results.get(beginning + str(size)), size) for size in sizes],
-                        color=colour, marker=marker, label=title)
+        points = [(size, value(beginning + str(size), size)) for size in results.sizes(beginning)]
+        points = [point for point in points if point[1] is not None]
+        if points:
+            axes.loglog(*zip(*points), color=colour, marker=marker, label=title)
     axes.set_xlabel("places")
     axes.grid(alpha=0.3)
 
 
 def main(source, image):
     results = Results(source)
-    figure, (whole, each) = plt.subplots(1, 2, figsize=(10, 4), constrained_layout=True)
-    draw(whole, results, lambda seconds, size: seconds)
+    figure, (whole, each, effort) = plt.subplots(1, 3, figsize=(13, 4), constrained_layout=True)
+    draw(whole, results, lambda name, size: results.get(name))
     whole.set_ylabel("a scan [s]")
-    draw(each, results, lambda seconds, size: 1e6 * seconds / size)
+    draw(each, results, lambda name, size: 1e6 * results.get(name) / size)
     each.set_ylabel("a place [us]")
+    draw(effort, results, lambda name, size: results.get(name, "evaluations_per_place"))
+    effort.set_ylabel("evaluations a place")
     whole.legend(fontsize=8)
     figure.savefig(image, dpi=80)
 

@@ -1,6 +1,7 @@
 #include "cell_windows.h"
 
 #include <algorithm>
+#include <cstring>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -28,7 +29,7 @@ WindowTable::WindowTable(const std::array<std::uint16_t, kGridCells>& from) {
       first_column = std::min<std::size_t>(first_column, from[i] % kGridSize);
     }
     if (first_row == kGridSize) continue;
-    window[group] = static_cast<std::uint32_t>(first_column * CellWindows::kStride + first_row);
+    window[group] = static_cast<std::uint16_t>(first_column * CellWindows::kStride + first_row);
     for (std::size_t i = 8 * group; i < 8 * group + 8; ++i) {
       if (from[i] >= kGridCells) continue;
       const std::size_t row = from[i] / kGridSize - first_row;
@@ -49,14 +50,16 @@ bool turnsByWindows() {
 }
 
 [[PLACE_MEMORY_BITALG]] BitPlane turnByWindows(const CellWindows& plane, const WindowTable& table) {
+  // Loads of single windows are faster than a vector's gather.
+  alignas(64) std::array<std::uint64_t, kGridCells / 8> cells;
+  for (std::size_t group = 0; group < cells.size(); ++group) {
+    std::memcpy(&cells[group], plane.data() + table.window[group], sizeof cells[group]);
+  }
   BitPlane turned;
   for (std::size_t row = 0; row < kGridSize; ++row) {
-    const __m256i windows = _mm256_load_si256(
-        reinterpret_cast<const __m256i*>(table.window.data() + row * WindowTable::kGroups));
-    const __m512i cells =
-        _mm512_mask_i32gather_epi64(_mm512_setzero_si512(), 0xff, windows, plane.data(), 1);
+    const __m512i windows = _mm512_load_si512(cells.data() + row * WindowTable::kGroups);
     const __m512i bits = _mm512_load_si512(table.bit.data() + row * kGridSize);
-    turned[row] = _mm512_bitshuffle_epi64_mask(cells, bits) & table.inside[row];
+    turned[row] = _mm512_bitshuffle_epi64_mask(windows, bits) & table.inside[row];
   }
   return turned;
 }

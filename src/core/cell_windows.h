@@ -33,7 +33,7 @@ struct WindowTable {
   explicit WindowTable(const std::array<std::uint16_t, kGridCells>& from);
 
   alignas(64) std::array<std::uint8_t, kGridCells> bit{};  ///< of the window
-  alignas(64) std::array<std::uint32_t, kGridCells / 8> window{};
+  alignas(64) std::array<std::uint16_t, kGridCells / 8> window{};
   BitPlane inside{};  ///< cells that do not come from outside
 };
 

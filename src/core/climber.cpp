@@ -45,6 +45,7 @@ Alignment Climber::evaluate(CellShift shift, int turn) const {
 
 void Climber::evaluate(Alignment* begin, std::size_t size) const {
   static const TransformKernel kernel = fastestTransformKernel();
+  evaluations_ += size;
   std::array<MovedPlanes, kTogether> moved;
   std::array<PlaneCounts, kTogether> counts;
   for (std::size_t first = 0; first < size; first += kTogether) {

@@ -20,6 +20,9 @@ class Climber {
   /// Sets what each of them scores; many at once are faster than one by one.
   void evaluate(Alignment* begin, std::size_t size) const;
 
+  /// How many transforms have been evaluated.
+  std::size_t evaluations() const { return evaluations_; }
+
   /// Climbs from a transform of the window: moves by `first_step` cells or turns while that scores
   /// higher, then by half of it, and so on to single ones (paper 4). Where another climb has been
   /// is not climbed again.
@@ -54,6 +57,7 @@ class Climber {
   LinearMetric linear_;
   double of_place_;
   std::vector<bool> tried_;  ///< of all transforms in the window, once a climb has begun
+  mutable std::size_t evaluations_ = 0;
   std::vector<Alignment> proposed_;
   std::vector<Alignment> summits_;
 };

@@ -45,9 +45,25 @@ template <bool kTwo>
   }
 }
 
+[[gnu::always_inline]] inline void countRows(Strips& strips) {
+  constexpr std::uint64_t kEighthColumns = 0x0f0f0f0f0f0f0f0f;
+  std::array<std::uint64_t, kGridSize> of_row;
+  for (std::size_t row = 0; row < kGridSize; ++row) {
+    std::uint64_t set = strips.fours[kPad + row];
+    set = (set + (set >> 4)) & kEighthColumns;
+    for (const int half : {32, 16, 8}) set += set >> half;
+    of_row[row] = set & 0xff;
+  }
+  std::uint64_t set = 0;
+  for (std::size_t row = 0; row < kGridSize; ++row) {
+    strips.set[row] = static_cast<std::uint16_t>(set);
+    set += of_row[row];
+  }
+  strips.set[kGridSize] = static_cast<std::uint16_t>(set);
+}
+
 template <bool kTwo>
 [[gnu::always_inline]] inline void fillStrips(const BitPlane& plane, int columns, Strips& strips) {
-  constexpr std::uint64_t kEighthColumns = 0x0f0f0f0f0f0f0f0f, kSum = 0x0101010101010101;
   countFours(plane, columns, strips);
   for (std::size_t row = kPad - (kSide - 1); row < kPad + kGridSize; ++row) {
     strips.filled[row] = filled<kTwo>(strips.fours.data() + row);
@@ -58,13 +74,7 @@ template <bool kTwo>
     strips.words[row] =
         (strip[0] | strip[kSide] << 1) | (strip[2 * kSide] << 2 | strip[3 * kSide] << 3);
   }
-  std::uint64_t set = 0;
-  for (std::size_t row = 0; row < kGridSize; ++row) {
-    strips.set[row] = static_cast<std::uint16_t>(set);
-    const std::uint64_t fours = strips.fours[kPad + row];
-    set += ((fours + (fours >> 4)) & kEighthColumns) * kSum >> 56;
-  }
-  strips.set[kGridSize] = static_cast<std::uint16_t>(set);
+  countRows(strips);
 }
 
 [[gnu::always_inline]] inline void pack(const Strips& occupied, const Strips& empty, int shift,
@@ -109,11 +119,19 @@ void coarsenPortable(const CellPlanes& cells, const int* by, std::size_t count, 
                                          QueryRow* rows, CellTotals* inside) {
   coarsenAll(cells, by, count, rows, inside);
 }
+
+[[gnu::target("avx512f,avx512bw,avx512vl,prefer-vector-width=512")]] void coarsenAvx512(
+    const CellPlanes& cells, const int* by, std::size_t count, QueryRow* rows, CellTotals* inside) {
+  coarsenAll(cells, by, count, rows, inside);
+}
 #endif
 
 Coarsen fastestCoarsen() {
 #if defined(__x86_64__)
   __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")) {
+    return coarsenAvx512;
+  }
   if (__builtin_cpu_supports("avx2")) return coarsenAvx2;
 #endif
   return coarsenPortable;

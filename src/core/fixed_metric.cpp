@@ -8,8 +8,6 @@ namespace {
 
 /// Points below this share of the largest weight are left to rounding, so that sums fit.
 constexpr double kLeastShare = 1e-6;
-/// Sums of three stay below 2^63.
-constexpr double kMost = 1LL << 60;
 
 }  // namespace
 
@@ -32,21 +30,9 @@ PairFactors FixedMetric::factors(const PairShares& shares) const {
           factor(linear_.empty_empty, shares.empty_empty)};
 }
 
-std::int64_t FixedMetric::ofTransform(const CellTotals& inside, CellShift shift, int turn) const {
-  const int cells = shift.columns * shift.columns + shift.rows * shift.rows;
-  return fixed(inside.occupied * linear_.occupied + inside.empty * linear_.empty -
-               metric_.shift_cost * cells - metric_.turn_cost * turn * turn);
-}
-
 std::int64_t FixedMetric::ofPlace(const CellTotals& learned) const {
   return fixed(learned.occupied * linear_.learned_occupied + learned.empty * linear_.learned_empty +
                linear_.unsensed);
-}
-
-std::int64_t FixedMetric::fixed(double points) const {
-  const double scaled = std::clamp(points * scale_, -kMost, kMost);
-  // To the nearest, without a call of the library: very many transforms have one.
-  return static_cast<std::int64_t>(scaled + (scaled < 0.0 ? -0.5 : 0.5));
 }
 
 }  // namespace place_memory::core

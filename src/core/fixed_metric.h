@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_CORE_FIXED_METRIC_H
 #define PLACE_MEMORY_CORE_FIXED_METRIC_H
 
+#include <algorithm>
 #include <cstdint>
 
 #include "block_kernel.h"
@@ -29,11 +30,20 @@ class FixedMetric {
   static constexpr double kMostShare = 32.0;
 
   /// `inside`: cells of the recognition grid that lie on the learned grid after the shift.
-  std::int64_t ofTransform(const CellTotals& inside, CellShift shift, int turn) const;
+  std::int64_t ofTransform(const CellTotals& inside, CellShift shift, int turn) const {
+    const int cells = shift.columns * shift.columns + shift.rows * shift.rows;
+    return fixed(inside.occupied * linear_.occupied + inside.empty * linear_.empty -
+                 metric_.shift_cost * cells - metric_.turn_cost * turn * turn);
+  }
   std::int64_t ofPlace(const CellTotals& learned) const;
 
  private:
-  std::int64_t fixed(double points) const;
+  /// To the nearest, without a call of the library: a search has thousands of transforms.
+  std::int64_t fixed(double points) const {
+    constexpr double kMost = 1LL << 60;  // sums of three stay below 2^63
+    const double scaled = std::clamp(points * scale_, -kMost, kMost);
+    return static_cast<std::int64_t>(scaled + (scaled < 0.0 ? -0.5 : 0.5));
+  }
 
   LatticeMetric metric_;
   LinearMetric linear_;

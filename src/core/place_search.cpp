@@ -42,12 +42,16 @@ std::vector<PlaceAlignment> alignEach(const QueryPlanes& query, const PlaceIndex
 std::vector<PlaceAlignment> searchPlaces(const QueryPlanes& query, const PlaceIndex& places,
                                          const LatticeMetric& metric, const SearchWindow& window,
                                          SearchMethod method,
-                                         const std::function<bool()>& cancelled, WorkerPool& pool) {
+                                         const std::function<bool()>& cancelled, WorkerPool& pool,
+                                         SearchEffort* effort) {
   const auto poll = [&cancelled] {
     if (cancelled && cancelled()) throw std::runtime_error("recognition was cancelled");
   };
   if (method == SearchMethod::kRestarts) {
-    return RestartSearch(query, places, metric, window, poll, pool).run();
+    const RestartSearch search(query, places, metric, window, poll, pool);
+    std::vector<PlaceAlignment> found = search.run();
+    if (effort) effort->evaluations = search.evaluations();
+    return found;
   }
   WorkerPool alone(1);
   const bool shares = places.size() > kFew;

@@ -22,17 +22,25 @@ constexpr std::size_t kMostRanked = 1024;
 /// So many of the best places have been climbed for from all starts.
 constexpr std::size_t kSurelyClimbed = 16;
 
+/// What a search took, in evaluations: one is a transform of a place, cell by cell. A look over
+/// coarse cells at a transform counts as what part of the rows it compares.
+struct SearchEffort {
+  double evaluations = 0.0;
+};
+
 /// Aligns the recognition grid with the places, and returns them by falling score; places that
 /// score the same, by rising id. All methods but restarts align every place fully. Restarts look at
 /// all places over coarse cells first, more closely at the better ones, and climb for the best;
 /// what the others score is that of the best start that was seen. The answer does not depend on the
 /// pool. `cancelled`, where given, is polled by the caller's thread between blocks of places; once
-/// it returns true the call throws std::runtime_error.
+/// it returns true the call throws std::runtime_error. `effort`, where given, is set to what
+/// restarts took; other methods leave it as it is.
 std::vector<PlaceAlignment> searchPlaces(const QueryPlanes& query, const PlaceIndex& places,
                                          const LatticeMetric& metric, const SearchWindow& window,
                                          SearchMethod method,
                                          const std::function<bool()>& cancelled,
-                                         WorkerPool& pool = WorkerPool::shared());
+                                         WorkerPool& pool = WorkerPool::shared(),
+                                         SearchEffort* effort = nullptr);
 
 }  // namespace place_memory::core
 

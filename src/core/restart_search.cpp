@@ -91,6 +91,7 @@ std::vector<RestartSearch::Ranked> RestartSearch::rank() const {
   } else {
     const StartLattice lattice(query_, fixed_, window_, kFirstLook, pool_);
     std::vector<Glimpse> seen = looks_.lookAtAll(lattice);
+    countLook(lattice, seen.size());
     const std::vector<Glimpse> best = takeBest(close, seen);
     lookClosely(best, ranked);
     rankOthers(lattice, takeBest(kMostRanked - std::min(close, kMostRanked), seen), ranked);
@@ -104,8 +105,17 @@ std::vector<RestartSearch::Ranked> RestartSearch::rank() const {
   return ranked;
 }
 
+void RestartSearch::countLook(const StartLattice& lattice, std::size_t places) const {
+  rows_ += kCoarsestRows * lattice.size() * places;
+}
+
+void RestartSearch::countEvaluations(const Climber& climber) const {
+  rows_ += kGridSize * climber.evaluations();
+}
+
 void RestartSearch::lookClosely(const std::vector<Glimpse>& seen,
                                 std::vector<Ranked>& ranked) const {
+  countLook(lattice_, seen.size());
   ranked.resize(seen.size());
   const auto lookTogether = [&](std::size_t task) {
     LookScores scores;
@@ -117,7 +127,9 @@ void RestartSearch::lookClosely(const std::vector<Glimpse>& seen,
         Ranked& place = ranked[first + i];
         place.place = seen[first + i].place;
         const CellPlanes cells = looks_.cellsOf(place.place);
-        place.starts = chooseStarts(Climber(query_, cells, metric_, window_), lattice_, scores, i);
+        const Climber climber(query_, cells, metric_, window_);
+        place.starts = chooseStarts(climber, lattice_, scores, i);
+        countEvaluations(climber);
         place.alignment = place.starts.front();
       }
     }
@@ -136,7 +148,9 @@ void RestartSearch::rankOthers(const StartLattice& lattice, const std::vector<Gl
       place.place = seen[i].place;
       const CellPlanes cells = looks_.cellsOf(place.place);
       const Alignment start = lattice.start(seen[i].start);
-      place.alignment = Climber(query_, cells, metric_, window_).evaluate(start.shift, start.turn);
+      const Climber climber(query_, cells, metric_, window_);
+      place.alignment = climber.evaluate(start.shift, start.turn);
+      countEvaluations(climber);
       place.starts.add(place.alignment);
     }
   };
@@ -152,6 +166,7 @@ void RestartSearch::climb(const std::vector<Ranked*>& places) const {
       Climber climber(query_, cells, metric_, window_);
       place.summits = climbFromStarts(climber, place.starts);
       place.alignment = place.summits.front();
+      countEvaluations(climber);
     }
   };
   pool_.run(tasksOf(places.size(), kClimbedATask), climbTogether, poll_);
@@ -163,6 +178,7 @@ void RestartSearch::settleSummits(const std::vector<Ranked*>& places) const {
     Climber climber(query_, cells, metric_, window_);
     places[i]->alignment = settle(climber, places[i]->summits);
     places[i]->settled = true;
+    countEvaluations(climber);
   };
   pool_.run(places.size(), settleOne, poll_);
 }

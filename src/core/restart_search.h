@@ -1,6 +1,8 @@
 #ifndef PLACE_MEMORY_CORE_RESTART_SEARCH_H
 #define PLACE_MEMORY_CORE_RESTART_SEARCH_H
 
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -23,6 +25,9 @@ class RestartSearch {
 
   std::vector<PlaceAlignment> run() const;
 
+  /// How many have been made, in all runs.
+  double evaluations() const { return static_cast<double>(rows_) / kGridSize; }
+
  private:
   struct Ranked {
     PlaceSlot place;
@@ -38,6 +43,8 @@ class RestartSearch {
   std::size_t climbed() const;
   /// The best places, each at its best start.
   std::vector<Ranked> rank() const;
+  void countLook(const StartLattice& lattice, std::size_t places) const;
+  void countEvaluations(const Climber& climber) const;
   void lookClosely(const std::vector<Glimpse>& seen, std::vector<Ranked>& ranked) const;
   /// At the best starts that the first look showed; behind those that are ranked.
   void rankOthers(const StartLattice& lattice, const std::vector<Glimpse>& seen,
@@ -56,6 +63,7 @@ class RestartSearch {
   StartLattice lattice_;  ///< of the close look
   PlaceLooks looks_;
   std::size_t size_;
+  mutable std::atomic<std::uint64_t> rows_{0};  ///< of grids that were compared
 };
 
 }  // namespace place_memory::core

@@ -43,9 +43,11 @@ void StartLattice::prepare(const QueryPlanes& query, const FixedMetric& metric, 
   for (std::size_t i = 0; i < side_; ++i) by.push_back(start(i).shift.columns);
   std::vector<CellTotals> inside(shifts);
   coarsenShifted(turned, by, query_.data() + first * kCoarsestRows, inside.data());
-  for (std::size_t i = 0; i < shifts; ++i) {
-    const Alignment at = start(first + i);
-    offsets_[first + i] = metric.ofTransform(inside[i], at.shift, at.turn);
+  const int at_turn = start(first).turn;
+  for (std::size_t i = 0, row = 0; row < side_; ++row) {
+    for (std::size_t column = 0; column < side_; ++column, ++i) {
+      offsets_[first + i] = metric.ofTransform(inside[i], {by[column], by[row]}, at_turn);
+    }
   }
 }
 

@@ -55,6 +55,10 @@ class Smoke(unittest.TestCase):
         self.assertGreaterEqual(self.rows["recognition/local/21"]["top1"], 0.5)
         self.assertEqual(self.rows["full_search/local/21"]["agree"], 1.0)
 
+    def test_counts_evaluations(self):
+        for name in ("recognition/local/21", "recognition/any/21", "yardstick/local/21"):
+            self.assertGreater(self.rows[name]["evaluations_per_place"], 1.0, name)
+
     def test_makes_tables(self):
         answer = run(*script("benchmark_tables.py"), self.folder.name)
         self.assertEqual(answer.returncode, 0, answer.stderr)

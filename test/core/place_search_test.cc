@@ -140,6 +140,28 @@ TEST(PlaceSearch, TheNumberOfThreadsDoesNotMatter) {
   }
 }
 
+TEST(PlaceSearch, TellsHowManyEvaluationsItTookWhateverTheThreads) {
+  std::mt19937 engine(71);
+  double of_few = 0.0;
+  for (const std::size_t size : {std::size_t{30}, std::size_t{1300}}) {
+    const PlaceIndex places = spliced(size);
+    const QueryPlanes query(scanIn(4, engine, 0.25), kHeadingStep, kWindow.turns);
+    std::vector<double> evaluations;
+    for (const std::size_t threads : {std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
+      WorkerPool pool(threads);
+      SearchEffort effort;
+      searchPlaces(query, places, kMetric, kWindow, SearchMethod::kRestarts, nullptr, pool,
+                   &effort);
+      evaluations.push_back(effort.evaluations / static_cast<double>(size));
+    }
+    EXPECT_EQ(evaluations[0], evaluations[1]);
+    EXPECT_EQ(evaluations[0], evaluations[2]);
+    if (size == 30) of_few = evaluations[0];
+    EXPECT_GT(evaluations[0], 1.0);
+    EXPECT_LE(evaluations[0], of_few);
+  }
+}
+
 TEST(PlaceSearch, RanksEveryPlaceOfAnUsualMemory) {
   std::mt19937 engine(64);
   WorkerPool pool(2);
