@@ -7,11 +7,11 @@ namespace place_memory::core {
 namespace {
 
 /// So few places are all looked at closely; of more, a part that grows less than they do.
-constexpr double kAllClose = 256.0;
+constexpr double kAllClose = 64.0;
 constexpr double kCloseGrowth = 0.75;
 /// So many are climbed for, for each turn of the close look; of more or fewer places, a number that
 /// grows less than they do.
-constexpr double kClimbed = 2.2;
+constexpr double kClimbed = 1.1;
 constexpr double kClimbedGrowth = 0.5;
 
 /// So many of the first are settled: the order of the others matters less.
@@ -58,19 +58,28 @@ RestartSearch::RestartSearch(const QueryPlanes& query, const PlaceIndex& places,
       looks_(places, fixed_, poll, pool),
       size_(places.size()) {}
 
-bool RestartSearch::isBetter(const Ranked& a, const Ranked& b) {
-  if (a.alignment.score != b.alignment.score) return a.alignment.score > b.alignment.score;
-  return a.place < b.place;
+bool RestartSearch::isBetter(const Ranked* a, const Ranked* b) {
+  if (a->alignment.score != b->alignment.score) return a->alignment.score > b->alignment.score;
+  return a->place < b->place;
 }
 
 std::vector<PlaceAlignment> RestartSearch::run() const {
   poll_();
-  std::vector<Ranked> ranked = rank();
+  std::vector<Ranked> places = rank();
+  std::vector<Ranked*> ranked;
+  ranked.reserve(places.size());
+  for (Ranked& place : places) ranked.push_back(&place);
+  const std::size_t kept = std::max(climbed(), kMostRanked);
+  if (ranked.size() > kept) {
+    std::nth_element(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(kept),
+                     ranked.end(), isBetter);
+    ranked.resize(kept);
+  }
   finish(ranked);
   std::vector<PlaceAlignment> answer;
   answer.reserve(ranked.size());
-  for (const Ranked& place : ranked) {
-    answer.push_back({&looks_.entryOf(place.place), place.alignment});
+  for (const Ranked* place : ranked) {
+    answer.push_back({&looks_.entryOf(place->place), place->alignment});
   }
   return answer;
 }
@@ -95,12 +104,6 @@ std::vector<RestartSearch::Ranked> RestartSearch::rank() const {
     const std::vector<Glimpse> best = takeBest(close, seen);
     lookClosely(best, ranked);
     rankOthers(lattice, takeBest(kMostRanked - std::min(close, kMostRanked), seen), ranked);
-  }
-  const std::size_t kept = std::max(climbed(), kMostRanked);
-  if (ranked.size() > kept) {
-    std::nth_element(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(kept),
-                     ranked.end(), isBetter);
-    ranked.resize(kept);
   }
   return ranked;
 }
@@ -183,13 +186,15 @@ void RestartSearch::settleSummits(const std::vector<Ranked*>& places) const {
   pool_.run(places.size(), settleOne, poll_);
 }
 
-void RestartSearch::finish(std::vector<Ranked>& ranked) const {
+void RestartSearch::finish(std::vector<Ranked*>& ranked) const {
   for (std::size_t first = climbed();; first = kSurelyClimbed) {
-    std::sort(ranked.begin(), ranked.end(), isBetter);
+    first = std::min(first, ranked.size());
+    const auto end = ranked.begin() + static_cast<std::ptrdiff_t>(first);
+    std::partial_sort(ranked.begin(), end, ranked.end(), isBetter);
     std::vector<Ranked*> to_climb, to_settle;
-    for (std::size_t i = 0; i < std::min(first, ranked.size()); ++i) {
-      if (ranked[i].summits.empty()) to_climb.push_back(&ranked[i]);
-      if (i < kSurelySettled && !ranked[i].settled) to_settle.push_back(&ranked[i]);
+    for (std::size_t i = 0; i < first; ++i) {
+      if (ranked[i]->summits.empty()) to_climb.push_back(ranked[i]);
+      if (i < kSurelySettled && !ranked[i]->settled) to_settle.push_back(ranked[i]);
     }
     if (to_climb.empty() && to_settle.empty()) break;
     if (to_climb.empty()) {
@@ -198,6 +203,7 @@ void RestartSearch::finish(std::vector<Ranked>& ranked) const {
       climb(to_climb);
     }
   }
+  std::sort(ranked.begin(), ranked.end(), isBetter);
   if (ranked.size() > kMostRanked) ranked.resize(kMostRanked);
 }
 

@@ -37,7 +37,7 @@ class RestartSearch {
     bool settled = false;
   };
 
-  static bool isBetter(const Ranked& a, const Ranked& b);
+  static bool isBetter(const Ranked* a, const Ranked* b);
 
   /// How many places are climbed for at the least.
   std::size_t climbed() const;
@@ -52,7 +52,7 @@ class RestartSearch {
   void climb(const std::vector<Ranked*>& places) const;
   void settleSummits(const std::vector<Ranked*>& places) const;
   /// Sorts; climbs until the first are all climbed for and the very first are settled.
-  void finish(std::vector<Ranked>& ranked) const;
+  void finish(std::vector<Ranked*>& ranked) const;
 
   const QueryPlanes& query_;
   const LatticeMetric& metric_;

@@ -22,8 +22,6 @@ Starts chooseStarts(const Climber& climber, const StartLattice& lattice, const L
   std::vector<ScoredStart> seen;
   lattice.bestStarts(scores, place, kEvaluated, seen);
   // Coarse cells told where good starts are; the cells themselves tell which are the best.
-  std::sort(seen.begin(), seen.end(),
-            [](const ScoredStart& a, const ScoredStart& b) { return a.start < b.start; });
   std::array<Alignment, kEvaluated> evaluated;
   for (std::size_t i = 0; i < seen.size(); ++i) evaluated[i] = lattice.start(seen[i].start);
   Alignment* const begin = evaluated.data();

@@ -85,6 +85,7 @@ ScoredStart StartLattice::best(const LookScores& scores, std::size_t place) cons
 void StartLattice::bestStarts(const LookScores& scores, std::size_t place, std::size_t most,
                               std::vector<ScoredStart>& starts) const {
   starts.clear();
+  starts.reserve(turns_);
   for (std::size_t turn = 0; turn < turns_; ++turn) starts.push_back(startOf(scores, turn, place));
   if (starts.size() <= most) return;
   std::nth_element(starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(most), starts.end(),
@@ -92,6 +93,8 @@ void StartLattice::bestStarts(const LookScores& scores, std::size_t place, std::
                      return a.score != b.score ? a.score > b.score : a.start < b.start;
                    });
   starts.resize(most);
+  std::sort(starts.begin(), starts.end(),
+            [](const ScoredStart& a, const ScoredStart& b) { return a.start < b.start; });
 }
 
 ScoredStart StartLattice::startOf(const LookScores& scores, std::size_t turn,

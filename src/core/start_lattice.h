@@ -54,7 +54,7 @@ class StartLattice {
   /// first.
   ScoredStart best(const LookScores& scores, std::size_t place) const;
 
-  /// The best start of each turn, of these the best `most`, in any order; at least one.
+  /// The best start of each turn, of these the best `most`, by rising start; at least one.
   void bestStarts(const LookScores& scores, std::size_t place, std::size_t most,
                   std::vector<ScoredStart>& starts) const;
 
