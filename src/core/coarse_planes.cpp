@@ -51,7 +51,9 @@ template <bool kTwo>
   for (std::size_t row = 0; row < kGridSize; ++row) {
     std::uint64_t set = strips.fours[kPad + row];
     set = (set + (set >> 4)) & kEighthColumns;
-    for (const int half : {32, 16, 8}) set += set >> half;
+    set += set >> 32;
+    set += set >> 16;
+    set += set >> 8;
     of_row[row] = set & 0xff;
   }
   std::uint64_t set = 0;

@@ -10,8 +10,8 @@ constexpr int kFirstStep = 4;
 constexpr int kFirstStepFromStart = 2;
 
 /// Of the starts that a look shows so many are evaluated.
-constexpr std::size_t kEvaluated = 16;
-constexpr std::size_t kSettled = 2;
+constexpr std::size_t kEvaluated = 10;
+constexpr std::size_t kSettled = 1;
 
 }  // namespace
 
