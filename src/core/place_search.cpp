@@ -8,8 +8,9 @@
 namespace place_memory::core {
 namespace {
 
-/// So few places are not worth waking other threads for.
+/// So few places are not worth waking other threads for; for restarts, so few places times turns.
 constexpr std::size_t kFew = 32;
+constexpr std::size_t kFewTurns = 2000;
 
 std::vector<PlaceAlignment> alignEach(const QueryPlanes& query, const PlaceIndex& places,
                                       const LatticeMetric& metric, const SearchWindow& window,
@@ -47,13 +48,15 @@ std::vector<PlaceAlignment> searchPlaces(const QueryPlanes& query, const PlaceIn
   const auto poll = [&cancelled] {
     if (cancelled && cancelled()) throw std::runtime_error("recognition was cancelled");
   };
+  WorkerPool alone(1);
   if (method == SearchMethod::kRestarts) {
-    const RestartSearch search(query, places, metric, window, poll, pool);
+    const auto turns = static_cast<std::size_t>(2 * window.turns + 1);
+    const bool shares = places.size() * turns > kFewTurns;
+    const RestartSearch search(query, places, metric, window, poll, shares ? pool : alone);
     std::vector<PlaceAlignment> found = search.run();
     if (effort) effort->evaluations = search.evaluations();
     return found;
   }
-  WorkerPool alone(1);
   const bool shares = places.size() > kFew;
   return alignEach(query, places, metric, window, method, poll, shares ? pool : alone);
 }

@@ -20,7 +20,7 @@ struct PlaceAlignment {
 /// Of more places than these, searchPlaces() returns the best ones.
 constexpr std::size_t kMostRanked = 1024;
 /// So many of the best places have been climbed for from all starts.
-constexpr std::size_t kSurelyClimbed = 16;
+constexpr std::size_t kSurelyClimbed = 12;
 
 /// What a search took, in evaluations: one is a transform of a place, cell by cell. A look over
 /// coarse cells at a transform counts as what part of the rows it compares.

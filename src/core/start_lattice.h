@@ -20,7 +20,7 @@ struct Look {
 /// To leave out most of very many places.
 constexpr Look kFirstLook{3, 4};
 /// Close enough that climbs from the best few starts miss little.
-constexpr Look kCloseLook{2, 2};
+constexpr Look kCloseLook{2, 3};
 
 /// What one place scores at a start, in the fixed point of the metric.
 struct ScoredStart {

@@ -2,9 +2,24 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
 
 namespace place_memory::core {
+namespace {
+
+/// About what it takes to wake a thread.
+constexpr std::chrono::microseconds kAwake{50};
+
+/// Returns when `holds` does, or when it has not for a while.
+template <typename Condition>
+void watch(const Condition& holds) {
+  const auto end = std::chrono::steady_clock::now() + kAwake;
+  while (!holds() && std::chrono::steady_clock::now() < end) {
+  }
+}
+
+}  // namespace
 
 struct WorkerPool::Job {
   Job(std::size_t all_tasks, const std::function<void(std::size_t)>& each_task)
@@ -15,7 +30,7 @@ struct WorkerPool::Job {
   std::atomic<std::size_t> next{0};  ///< task to begin
   std::mutex mutex;
   std::exception_ptr error;
-  std::size_t helpers = 0;  ///< that take part; guarded by the pool's mutex
+  std::atomic<std::size_t> helpers{0};  ///< that take part; changed under the pool's mutex
 };
 
 WorkerPool::WorkerPool(std::size_t threads) {
@@ -44,6 +59,7 @@ void WorkerPool::run(std::size_t tasks, const std::function<void(std::size_t)>& 
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       jobs_.push_back(&job);
+      joinable_ = jobs_.size();
     }
     job_came_.notify_all();
   }
@@ -51,6 +67,12 @@ void WorkerPool::run(std::size_t tasks, const std::function<void(std::size_t)>& 
   if (shares) {
     std::unique_lock<std::mutex> lock(mutex_);
     jobs_.remove(&job);
+    joinable_ = jobs_.size();
+    if (job.helpers > 0) {
+      lock.unlock();
+      watch([&job] { return job.helpers == 0; });
+      lock.lock();
+    }
     helper_left_.wait(lock, [&job] { return job.helpers == 0; });
   }
   if (job.error) std::rethrow_exception(job.error);
@@ -59,6 +81,11 @@ void WorkerPool::run(std::size_t tasks, const std::function<void(std::size_t)>& 
 void WorkerPool::work() {
   std::unique_lock<std::mutex> lock(mutex_);
   for (;;) {
+    if (jobs_.empty() && !closing_) {
+      lock.unlock();
+      watch([this] { return joinable_ > 0 || closing_; });
+      lock.lock();
+    }
     job_came_.wait(lock, [this] { return closing_ || !jobs_.empty(); });
     if (closing_) return;
     Job& job = *jobs_.front();
@@ -68,6 +95,7 @@ void WorkerPool::work() {
     lock.lock();
     // All its tasks have been begun, so others must not join it any more.
     jobs_.remove(&job);
+    joinable_ = jobs_.size();
     --job.helpers;
     helper_left_.notify_all();
   }

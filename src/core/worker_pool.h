@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_CORE_WORKER_POOL_H
 #define PLACE_MEMORY_CORE_WORKER_POOL_H
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -11,7 +12,9 @@
 
 namespace place_memory::core {
 
-/// Threads that wait for work. Any number of callers may share a pool.
+/// Threads that wait for work: for some microseconds awake, since a search has one job soon after
+/// the other and waking a thread takes as long as a small one; then asleep. Any number of callers
+/// may share a pool.
 class WorkerPool {
  public:
   /// `threads` work at a time, the caller among them; at least 1.
@@ -41,8 +44,9 @@ class WorkerPool {
   std::mutex mutex_;
   std::condition_variable job_came_;
   std::condition_variable helper_left_;
-  std::list<Job*> jobs_;  ///< those that helpers may join
-  bool closing_ = false;
+  std::list<Job*> jobs_;                  ///< those that helpers may join
+  std::atomic<std::size_t> joinable_{0};  ///< their number, to be watched without the mutex
+  std::atomic<bool> closing_{false};
   std::vector<std::thread> threads_;
 };
 
