@@ -81,13 +81,19 @@ double Climber::score(const PlaneCounts& n) const {
   return of_place_ + (of_pairs + of_query);
 }
 
+void Climber::begin() {
+  if (!tried_.empty()) return;
+  tried_.resize(transformsOf(window_));
+  proposed_.reserve(kTogether);
+}
+
 void Climber::climb(CellShift shift, int turn, int first_step) {
-  if (tried_.empty()) tried_.resize(transformsOf(window_));
+  begin();
   if (isNew(shift, turn)) summits_.push_back(climbFrom(evaluate(shift, turn), first_step));
 }
 
 void Climber::settle(const Alignment& summit) {
-  if (tried_.empty()) tried_.resize(transformsOf(window_));
+  begin();
   Alignment at = summit;
   for (;;) {
     Alignment near = at;

@@ -40,6 +40,7 @@ class Climber {
   double cost(const Alignment& at) const;
   double overlapScore(const Alignment& at) const;
   double score(const PlaneCounts& counts) const;
+  void begin();
   Alignment climbFrom(Alignment from, int first_step);
   bool stepUp(int step, Alignment& at);
   /// Keeps it to be tried where it lies in the window and has not been tried before.

@@ -6,7 +6,6 @@
 namespace place_memory::core {
 namespace {
 
-constexpr std::size_t kHeard = 10;
 constexpr double kSameSpot = 3.5;                    ///< [cells]
 constexpr double kSameHeading = 25.0 * kPi / 180.0;  ///< [rad]
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "climber.h"
+
 namespace place_memory::core {
 namespace {
 
@@ -14,7 +16,8 @@ constexpr int kReach = 2;  ///< steps
 PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
                           const LatticeMetric& metric, const SearchWindow& window,
                           const Alignment& best, double cell_size, double sharpness) {
-  const double best_score = scoreAt(query, learned, metric, best.shift, best.turn);
+  const Climber scorer(query, learned, metric, window);
+  const double best_score = scorer.evaluate(best.shift, best.turn).score;
   double all = 0.0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
@@ -26,7 +29,7 @@ PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
       for (int columns = -kReach; columns <= kReach; ++columns) {
         const CellShift shift{best.shift.columns + columns, best.shift.rows + rows};
         if (std::max(std::abs(shift.columns), std::abs(shift.rows)) > window.cells) continue;
-        const double score = scoreAt(query, learned, metric, shift, at_turn);
+        const double score = scorer.evaluate(shift, at_turn).score;
         const double weight = std::exp(std::min(sharpness * (score - best_score), 0.0));
         const Eigen::Vector3d offset = Eigen::Vector3d(columns, rows, turn).cwiseProduct(step);
         all += weight;

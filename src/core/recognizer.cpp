@@ -52,8 +52,10 @@ void lookAgain(const QueryPlanes& query, const PlaceIndex& places, const Lattice
 
 Consensus consensusOf(const std::vector<PlaceAlignment>& all, double cell_size) {
   std::vector<Opinion> opinions;
-  opinions.reserve(all.size());
-  for (const PlaceAlignment& found : all) {
+  const std::size_t heard = std::min(all.size(), kHeard);
+  opinions.reserve(heard);
+  for (std::size_t i = 0; i < heard; ++i) {
+    const PlaceAlignment& found = all[i];
     const Pose2d place_from_scan = poseOf(found.alignment, cell_size);
     opinions.push_back({found.alignment.score, std::hypot(place_from_scan.x, place_from_scan.y),
                         found.entry->map_from_place * place_from_scan});
@@ -113,6 +115,7 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
   const CellPlanes cells = places.cells(all.front().entry->id);
 
   Recognition recognition;
+  recognition.matches.reserve(all.size());
   for (const PlaceAlignment& found : all) {
     recognition.matches.push_back(
         {found.entry->id, found.alignment.score, poseOf(found.alignment, cell_size), 0.0});

@@ -15,7 +15,7 @@ constexpr double kClimbed = 1.1;
 constexpr double kClimbedGrowth = 0.5;
 
 /// So many of the first are settled: the order of the others matters less.
-constexpr std::size_t kSurelySettled = 12;
+constexpr std::size_t kSurelySettled = 6;
 
 constexpr std::size_t kRankedATask = 64;
 constexpr std::size_t kClimbedATask = 8;

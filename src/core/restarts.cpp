@@ -10,7 +10,7 @@ constexpr int kFirstStep = 4;
 constexpr int kFirstStepFromStart = 2;
 
 /// Of the starts that a look shows so many are evaluated.
-constexpr std::size_t kEvaluated = 10;
+constexpr std::size_t kEvaluated = 12;
 constexpr std::size_t kSettled = 1;
 
 }  // namespace
@@ -31,7 +31,7 @@ Starts chooseStarts(const Climber& climber, const StartLattice& lattice, const L
     Alignment* const best =
         std::max_element(begin + i, begin + seen.size(),
                          [](const Alignment& a, const Alignment& b) { return a.score < b.score; });
-    std::rotate(begin + i, best, best + 1);
+    std::iter_swap(begin + i, best);
     chosen.add(begin[i]);
   }
   return chosen;

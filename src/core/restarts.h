@@ -16,7 +16,7 @@ void climbOnce(Climber& climber);
 /// Where one place is climbed for from, best first.
 class Starts {
  public:
-  static constexpr std::size_t kMost = 4;  ///< measured: more find no better alignments
+  static constexpr std::size_t kMost = 3;  ///< measured: more find no better alignments
 
   void add(const Alignment& start) { starts_[size_++] = start; }
   const Alignment& front() const { return starts_.front(); }

@@ -24,11 +24,12 @@ struct Learned {
 }
 
 /// Rows that the mask leaves out are not read, so they may lie outside the plane.
+template <bool kLeft>
 [[PLACE_MEMORY_AVX512, gnu::always_inline]] inline __m512i moved(const std::uint64_t* rows,
-                                                                 __mmask8 mask, __m128i left,
-                                                                 __m128i right) {
+                                                                 __mmask8 mask, __m128i by) {
   const __m512i row = _mm512_maskz_loadu_epi64(mask, rows);
-  return _mm512_maskz_srl_epi64(kAllLanes, _mm512_maskz_sll_epi64(kAllLanes, row, left), right);
+  return kLeft ? _mm512_maskz_sll_epi64(kAllLanes, row, by)
+               : _mm512_maskz_srl_epi64(kAllLanes, row, by);
 }
 
 /// Several counts side by side in the fields of a lane, so that they are summed over lanes at once.
@@ -44,11 +45,11 @@ struct Learned {
          ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
 }
 
+template <bool kLeft>
 [[PLACE_MEMORY_AVX512, gnu::always_inline]] inline PlaneCounts count(const Learned& learned,
                                                                      const MovedPlanes& transform) {
   const CellShift shift = transform.shift;
-  const __m128i left = _mm_cvtsi32_si128(shift.columns > 0 ? shift.columns : 0);
-  const __m128i right = _mm_cvtsi32_si128(shift.columns < 0 ? -shift.columns : 0);
+  const __m128i by = _mm_cvtsi32_si128(kLeft ? shift.columns : -shift.columns);
   constexpr std::uint64_t kAllRows = ~std::uint64_t{0};
   const std::uint64_t inside = shift.rows >= 0 ? kAllRows << shift.rows : kAllRows >> -shift.rows;
   const std::uint64_t* const occupied = transform.cells->occupied.data() - shift.rows;
@@ -58,8 +59,8 @@ struct Learned {
 #pragma GCC unroll 8
   for (int i = 0; i < kVectors; ++i) {
     const auto mask = static_cast<__mmask8>(inside >> kLanes * i);
-    const __m512i o = moved(occupied + kLanes * i, mask, left, right);
-    const __m512i e = moved(empty + kLanes * i, mask, left, right);
+    const __m512i o = moved<kLeft>(occupied + kLanes * i, mask, by);
+    const __m512i e = moved<kLeft>(empty + kLanes * i, mask, by);
     own_o = countBits(own_o, o);
     own_e = countBits(own_e, e);
     oo = countBits(oo, _mm512_and_si512(o, learned.o[i]));
@@ -89,7 +90,10 @@ struct Learned {
     rows.o[i] = _mm512_load_si512(learned.occupied.data() + kLanes * i);
     rows.e[i] = _mm512_load_si512(learned.empty.data() + kLanes * i);
   }
-  for (std::size_t i = 0; i < size; ++i) counts[i] = count(rows, transforms[i]);
+  for (std::size_t i = 0; i < size; ++i) {
+    const bool left = transforms[i].shift.columns >= 0;
+    counts[i] = left ? count<true>(rows, transforms[i]) : count<false>(rows, transforms[i]);
+  }
 }
 
 }  // namespace place_memory::core

@@ -15,6 +15,9 @@ struct Opinion {
   Pose2d map_from_scan;  ///< the pose of the scan frame that follows
 };
 
+/// So many opinions are heard at the most.
+constexpr std::size_t kHeard = 10;
+
 /// What the opinions, best score first, come to.
 struct Consensus {
   std::size_t chosen = 0;
@@ -29,7 +32,7 @@ struct Consensus {
 /// Neighbouring places see the same walls, so several may align rightly with one scan. Those that
 /// put the robot at the same spot as the best one do not contradict it, and of them the place is
 /// chosen that the robot stands nearest to (paper 7: a place is the region about its location). The
-/// best few are heard. `opinions` is not empty.
+/// best kHeard are heard. `opinions` is not empty.
 Consensus findConsensus(const std::vector<Opinion>& opinions, double cell_size);
 
 }  // namespace place_memory::core
