@@ -50,14 +50,18 @@ bool turnsByWindows() {
 }
 
 [[PLACE_MEMORY_BITALG]] BitPlane turnByWindows(const CellWindows& plane, const WindowTable& table) {
-  // Loads of single windows are faster than a vector's gather.
-  alignas(64) std::array<std::uint64_t, kGridCells / 8> cells;
-  for (std::size_t group = 0; group < cells.size(); ++group) {
-    std::memcpy(&cells[group], plane.data() + table.window[group], sizeof cells[group]);
-  }
   BitPlane turned;
+  const auto cells = [&](std::size_t group) {
+    long long window;
+    std::memcpy(&window, plane.data() + table.window[group], sizeof window);
+    return window;
+  };
+  // Loads of single windows are faster than a vector's gather.
   for (std::size_t row = 0; row < kGridSize; ++row) {
-    const __m512i windows = _mm512_load_si512(cells.data() + row * WindowTable::kGroups);
+    const std::size_t first = row * WindowTable::kGroups;
+    const __m512i windows =
+        _mm512_set_epi64(cells(first + 7), cells(first + 6), cells(first + 5), cells(first + 4),
+                         cells(first + 3), cells(first + 2), cells(first + 1), cells(first));
     const __m512i bits = _mm512_load_si512(table.bit.data() + row * kGridSize);
     turned[row] = _mm512_bitshuffle_epi64_mask(windows, bits) & table.inside[row];
   }

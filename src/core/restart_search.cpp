@@ -7,15 +7,15 @@ namespace place_memory::core {
 namespace {
 
 /// So few places are all looked at closely; of more, a part that grows less than they do.
-constexpr double kAllClose = 64.0;
+constexpr double kAllClose = 48.0;
 constexpr double kCloseGrowth = 0.75;
 /// So many are climbed for, for each turn of the close look; of more or fewer places, a number that
 /// grows less than they do.
-constexpr double kClimbed = 1.1;
+constexpr double kClimbed = 1.0;
 constexpr double kClimbedGrowth = 0.5;
 
 /// So many of the first are settled: the order of the others matters less.
-constexpr std::size_t kSurelySettled = 6;
+constexpr std::size_t kSurelySettled = 4;
 
 constexpr std::size_t kRankedATask = 64;
 constexpr std::size_t kClimbedATask = 8;
