@@ -140,8 +140,7 @@ bool Climber::stepUp(int step, Alignment& at) {
 
 void Climber::propose(CellShift shift, int turn) {
   if (std::abs(shift.columns) > window_.cells || std::abs(shift.rows) > window_.cells) return;
-  if (window_.circular && turn > window_.turns) turn -= 2 * window_.turns;
-  if (window_.circular && turn < -window_.turns) turn += 2 * window_.turns;
+  turn = window_.wrapped(turn);
   if (std::abs(turn) > window_.turns || !isNew(shift, turn)) return;
   proposed_.push_back({shift, turn});
 }

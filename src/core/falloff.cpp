@@ -1,6 +1,10 @@
 #include "place_memory/core/falloff.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdlib>
+
+#include "climber.h"
 
 namespace place_memory::core {
 namespace {
@@ -8,27 +12,31 @@ namespace {
 constexpr int kBeside = 2;  ///< [cells]
 constexpr int kTurned = 2;  ///< [heading steps]
 
+/// 0 of none.
+double meanChange(const Alignment* begin, const Alignment* end, double from) {
+  double sum = 0.0;
+  for (const Alignment* at = begin; at != end; ++at) sum += at->score - from;
+  return begin == end ? 0.0 : sum / static_cast<double>(end - begin);
+}
+
 }  // namespace
 
 Falloff falloffAt(const QueryPlanes& query, const CellPlanes& learned, const LatticeMetric& metric,
                   const SearchWindow& window, const Alignment& at) {
-  const auto fall = [&](CellShift shift, int turn) {
-    return scoreAt(query, learned, metric, shift, turn) - at.score;
-  };
-  Falloff falloff;
-  for (const int by : {-kBeside, kBeside}) {
-    falloff.beside += 0.25 * fall({at.shift.columns + by, at.shift.rows}, at.turn);
-    falloff.beside += 0.25 * fall({at.shift.columns, at.shift.rows + by}, at.turn);
-  }
-  int turns = 0;
+  const CellShift s = at.shift;
+  std::array<Alignment, 6> near{{{{s.columns - kBeside, s.rows}, at.turn},
+                                 {{s.columns + kBeside, s.rows}, at.turn},
+                                 {{s.columns, s.rows - kBeside}, at.turn},
+                                 {{s.columns, s.rows + kBeside}, at.turn}}};
+  Alignment* const turned = near.data() + 4;
+  Alignment* end = turned;
   for (const int by : {-kTurned, kTurned}) {
     const int turn = window.wrapped(at.turn + by);
-    if (std::abs(turn) > window.turns) continue;
-    falloff.turned += fall(at.shift, turn);
-    ++turns;
+    if (std::abs(turn) <= window.turns) *end++ = {s, turn};
   }
-  if (turns > 0) falloff.turned /= turns;
-  return falloff;
+  Climber(query, learned, metric, window)
+      .evaluate(near.data(), static_cast<std::size_t>(end - near.data()));
+  return {meanChange(near.data(), turned, at.score), meanChange(turned, end, at.score)};
 }
 
 }  // namespace place_memory::core

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 #include "climber.h"
 
@@ -11,17 +12,14 @@ namespace {
 
 constexpr int kReach = 2;  ///< steps
 
-}  // namespace
+/// Transforms of the window, and how far from an alignment they are.
+struct Nearby {
+  std::vector<Alignment> alignments;
+  std::vector<Eigen::Vector3d> steps;  ///< columns, rows, heading steps
+};
 
-PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
-                          const LatticeMetric& metric, const SearchWindow& window,
-                          const Alignment& best, double cell_size, double sharpness) {
-  const Climber scorer(query, learned, metric, window);
-  const double best_score = scorer.evaluate(best.shift, best.turn).score;
-  double all = 0.0;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-  const Eigen::Vector3d step(cell_size, cell_size, kHeadingStep);
+Nearby transformsNear(const Alignment& best, const SearchWindow& window) {
+  Nearby nearby;
   for (int turn = -kReach; turn <= kReach; ++turn) {
     const int at_turn = window.wrapped(best.turn + turn);
     if (std::abs(at_turn) > window.turns) continue;
@@ -29,14 +27,34 @@ PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
       for (int columns = -kReach; columns <= kReach; ++columns) {
         const CellShift shift{best.shift.columns + columns, best.shift.rows + rows};
         if (std::max(std::abs(shift.columns), std::abs(shift.rows)) > window.cells) continue;
-        const double score = scorer.evaluate(shift, at_turn).score;
-        const double weight = std::exp(std::min(sharpness * (score - best_score), 0.0));
-        const Eigen::Vector3d offset = Eigen::Vector3d(columns, rows, turn).cwiseProduct(step);
-        all += weight;
-        mean += weight * offset;
-        second += weight * offset * offset.transpose();
+        nearby.alignments.push_back({shift, at_turn});
+        nearby.steps.emplace_back(columns, rows, turn);
       }
     }
+  }
+  return nearby;
+}
+
+}  // namespace
+
+PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
+                          const LatticeMetric& metric, const SearchWindow& window,
+                          const Alignment& best, double cell_size, double sharpness) {
+  const Eigen::Vector3d step(cell_size, cell_size, kHeadingStep);
+  const Nearby nearby = transformsNear(best, window);
+  std::vector<Alignment> at = nearby.alignments;
+  at.push_back(best);
+  Climber(query, learned, metric, window).evaluate(at.data(), at.size());
+  double all = 0.0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < nearby.steps.size(); ++i) {
+    const double lead = at.back().score - at[i].score;
+    const double weight = std::exp(-std::max(sharpness * lead, 0.0));
+    const Eigen::Vector3d offset = nearby.steps[i].cwiseProduct(step);
+    all += weight;
+    mean += weight * offset;
+    second += weight * offset * offset.transpose();
   }
   mean /= all;
   PoseEstimate estimate;
