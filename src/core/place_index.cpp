@@ -1,6 +1,7 @@
 #include "place_memory/core/place_index.h"
 
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 #include <string>
 
@@ -38,19 +39,25 @@ void PlaceIndex::put(PlaceId id, const Pose2d& map_from_place, const CellPlanes&
     return;
   }
   if (blocks_[at]->holds(id)) {
-    const auto changed = std::make_shared<Block>(*blocks_[at]);
-    changed->replace(changed->slotOf(id), entry, cells);
-    blocks_[at] = changed;
+    Block& block = changeable(at);
+    block.replace(block.slotOf(id), entry, cells);
     return;
   }
   if (blocks_[at]->size() == kBlockSize) {
     split(at);
     at = blockOf(id);
   }
-  const auto changed = std::make_shared<Block>(*blocks_[at]);
-  changed->insert(changed->slotOf(id), entry, cells);
-  blocks_[at] = changed;
+  Block& block = changeable(at);
+  block.insert(block.slotOf(id), entry, cells);
   ++size_;
+}
+
+PlaceIndex::Block& PlaceIndex::changeable(std::size_t at) {
+  std::shared_ptr<const Block>& block = blocks_[at];
+  if (block.use_count() > 1) block = std::make_shared<Block>(*block);
+  // Whoever gave up the last snapshot has read it before this.
+  std::atomic_thread_fence(std::memory_order_acquire);
+  return *std::const_pointer_cast<Block>(block);
 }
 
 void PlaceIndex::split(std::size_t at) {
@@ -68,9 +75,8 @@ void PlaceIndex::split(std::size_t at) {
 bool PlaceIndex::erase(PlaceId id) {
   const std::size_t at = blockOf(id);
   if (at == blocks_.size() || !blocks_[at]->holds(id)) return false;
-  const auto changed = std::make_shared<Block>(*blocks_[at]);
-  changed->erase(changed->slotOf(id));
-  blocks_[at] = changed;
+  Block& block = changeable(at);
+  block.erase(block.slotOf(id));
   --size_;
   joinNext(at);
   if (at > 0) joinNext(at - 1);
@@ -82,11 +88,10 @@ void PlaceIndex::joinNext(std::size_t at) {
   if (at + 1 >= blocks_.size()) return;
   const Block& next = *blocks_[at + 1];
   if (blocks_[at]->size() + next.size() > kBlockSize) return;
-  const auto joined = std::make_shared<Block>(*blocks_[at]);
+  Block& block = changeable(at);
   for (std::size_t slot = 0; slot < next.size(); ++slot) {
-    joined->insert(joined->size(), next[slot], next.planes().get(slot));
+    block.insert(block.size(), next[slot], next.planes().get(slot));
   }
-  blocks_[at] = joined;
   blocks_.erase(blocks_.begin() + static_cast<std::ptrdiff_t>(at) + 1);
 }
 

@@ -227,5 +227,25 @@ TEST(PlaceIndex, ACopySharesItsBlocksUntilTheyChange) {
   EXPECT_EQ(copy.blocks().back(), index.blocks().back());
 }
 
+TEST(PlaceIndex, WhatNoCopySharesIsChangedWhereItLies) {
+  std::mt19937 engine(9);
+  PlaceIndex index;
+  Oracle oracle;
+  put(1, engine, index, oracle);
+  const PlaceBlock* const block = index.blocks().front().get();
+  {
+    const PlaceIndex copy = index;
+    put(2, engine, index, oracle);
+    EXPECT_NE(index.blocks().front().get(), block);
+  }
+  const PlaceBlock* const own = index.blocks().front().get();
+  put(3, engine, index, oracle);
+  put(1, engine, index, oracle);
+  index.erase(2);
+  oracle.erase(2);
+  EXPECT_EQ(index.blocks().front().get(), own);
+  expectSame(index, oracle);
+}
+
 }  // namespace
 }  // namespace place_memory::core

@@ -14,7 +14,7 @@ namespace place_memory::core {
 ///
 /// A copy is a snapshot: it shares its blocks with the original and costs a pointer a block, so a
 /// match may run on a copy while places are learned, moved and removed in the original. A change
-/// copies one or two blocks, however many places there are.
+/// copies one or two blocks, however many places there are, and none that no snapshot shares.
 class PlaceIndex {
  public:
   static constexpr std::size_t kBlockSize = PlaceBlock::kCapacity;  ///< places
@@ -42,6 +42,8 @@ class PlaceIndex {
  private:
   /// The block in which the id is or belongs; blocks_.size() where it belongs behind all of them.
   std::size_t blockOf(PlaceId id) const;
+  /// The block, copied first where a snapshot shares it.
+  Block& changeable(std::size_t at);
   /// Moves the upper half of a full block to a block of its own behind it.
   void split(std::size_t at);
   /// Moves the places of the block behind this one into it, where there is one and they fit.
