@@ -30,6 +30,8 @@ po::options_description knownOptions(Options& options) {
       "patience", po::value(&options.patience)->default_value(options.patience),
       "about so many seconds for the queries put to one memory by one method: the more, the more "
       "queries to the largest memories")(
+      "times", po::value(&options.times)->default_value(options.times),
+      "that recognition among up to 1000 places is repeated, at least 1")(
       "folder",
       po::value(&options.folder)->default_value(std::filesystem::temp_directory_path().string()),
       "for stores, which are removed again")(
@@ -45,9 +47,10 @@ Options readArguments(int argc, char** argv) {
   po::variables_map values;
   po::store(po::parse_command_line(argc, argv, known), values);
   po::notify(values);
-  if (options.max_places < 21 || options.queries < 1 || !(options.patience > 0.0)) {
+  if (options.max_places < 21 || options.queries < 1 || !(options.patience > 0.0) ||
+      options.times < 1) {
     throw std::invalid_argument(
-        "max-places must be at least 21, queries at least 1, patience above 0");
+        "max-places must be at least 21, queries and times at least 1, patience above 0");
   }
   return options;
 }

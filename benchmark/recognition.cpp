@@ -21,6 +21,11 @@ constexpr std::size_t kMaxYardstick = 1000;
 /// Queries that evaluations are counted of: their number hardly differs from one to the next.
 constexpr std::size_t kCounted = 10;
 
+/// Up to so many places, recognition is repeated: a run of milliseconds says little.
+constexpr std::size_t kSmall = 1000;
+/// The yardstick takes longer; so often, in memories smaller than that.
+constexpr int kTimesYardstick = 3;
+
 /// Seconds for a place that queries are planned with; they need to be right within a factor of ten.
 constexpr double kSecondsLocal = 1e-6;
 constexpr double kSecondsYardstick = 5e-4;
@@ -147,18 +152,19 @@ void yardstick(State& state, Setting& setting, std::size_t size, bool any_headin
 using Run = void (*)(State&, Setting&, std::size_t, bool);
 
 void add(const std::string& name, Run run, Setting& setting, std::size_t size, bool any_heading,
-         double seconds_per_place) {
+         double seconds_per_place, int times) {
   const double seconds = seconds_per_place * (any_heading ? kMoreForAnyHeading : 1.0);
   const std::size_t affordable = setting.affordableQueries(size, seconds);
   // Each query is put once, so that shares are over as many as there are.
   const std::size_t queries = std::min(affordable, size);
-  ::benchmark::RegisterBenchmark(
+  auto* const added = ::benchmark::RegisterBenchmark(
       benchmarkName(name, any_heading, size).c_str(),
-      [=, &setting](State& state) { run(state, setting, size, any_heading); })
-      ->Iterations(static_cast<::benchmark::IterationCount>(queries))
+      [=, &setting](State& state) { run(state, setting, size, any_heading); });
+  added->Iterations(static_cast<::benchmark::IterationCount>(queries))
       ->Unit(::benchmark::kMillisecond)
       ->UseRealTime()
       ->MeasureProcessCPUTime();
+  if (times > 1) added->Repetitions(times)->ReportAggregatesOnly(true);
 }
 
 }  // namespace
@@ -168,11 +174,13 @@ void registerRecognition(Setting& setting) {
     if (size > setting.options().max_places) continue;
     for (const bool any_heading : {false, true}) {
       if (size <= kMaxYardstick) {
-        add("yardstick", yardstick, setting, size, any_heading, kSecondsYardstick);
+        add("yardstick", yardstick, setting, size, any_heading, kSecondsYardstick,
+            size < kSmall ? kTimesYardstick : 1);
       }
-      add("recognition", recognition, setting, size, any_heading, kSecondsLocal);
+      add("recognition", recognition, setting, size, any_heading, kSecondsLocal,
+          size <= kSmall ? setting.options().times : 1);
       if (size <= setting.options().max_full) {
-        add("full_search", fullSearch, setting, size, any_heading, kSecondsFull);
+        add("full_search", fullSearch, setting, size, any_heading, kSecondsFull, 1);
       }
     }
   }

@@ -15,8 +15,9 @@ struct Options {
   std::size_t max_stored = 1000;  ///< of the largest store
   std::size_t queries = 400;      ///< put to each memory at the most
   double patience = 60.0;         ///< about so long for each memory and method [s]
-  std::string folder;             ///< for stores
-  std::string store_to_write;     ///< "": none
+  int times = 9;       ///< that recognition in small memories is repeated; of the times, medians
+  std::string folder;  ///< for stores
+  std::string store_to_write;  ///< "": none
 };
 
 /// What all benchmarks of one run share. Everything is made when it is first asked for.

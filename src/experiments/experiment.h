@@ -38,6 +38,10 @@ ShippedWorlds loadShippedWorlds(const std::string& folder);
 /// The paper's experiments 1 to 5. The worlds must outlive the experiments, here and below.
 std::vector<Experiment> paperExperiments(const ShippedWorlds& worlds);
 
+/// Experiments 1, 3 and 4 with a robot that does not stand exactly where it learned, but three
+/// inches off, as one that drives to a place or is put back on it.
+std::vector<Experiment> putBackExperiments(const ShippedWorlds& worlds);
+
 /// Generated buildings, each with a robot of its own: no shipped world, no paper.
 Experiment buildingsExperiment();
 

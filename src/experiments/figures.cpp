@@ -102,7 +102,7 @@ GridFigure whiteboardFigure(const Studio& studio, const sim::World& office, std:
       std::min_element(office.places.begin(), office.places.end(),
                        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
   const auto index = static_cast<std::size_t>(place - office.places.begin());
-  const trials::Recipe recipe = officeRecipe(kPutBack);
+  const trials::Recipe recipe = officeRecipe(0.0);
   Batch batch;
   batch.known.learned = trials::simulateTrials(office, {}, recipe, seed).learned;
   Rng rng(seed);

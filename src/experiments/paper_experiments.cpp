@@ -34,21 +34,27 @@ std::vector<Experiment> paperExperiments(const ShippedWorlds& worlds) {
   constexpr double kClimbing[] = {1.0, 0.8, 0.8, 0.8};
   std::vector<Experiment> all;
   for (int i = 0; i <= 3; ++i) {
-    all.push_back(inWorld("1", chairs(i), worlds.rooms, roomsRecipe(i, kPutBack)));
+    all.push_back(inWorld("1", chairs(i), worlds.rooms, roomsRecipe(i, 0.0)));
     if (i > 0) all.back().paper = {{"nearest_neighbour", 1.0}, {"hill_climbing", 1.0}};
   }
   for (int i = 0; i <= 3; ++i) {
     all.push_back(inWorld("2", "2 ft away, " + chairs(i), worlds.rooms, roomsRecipe(i, kTwoFeet)));
     all.back().paper = {{"nearest_neighbour", kNearest[i]}, {"hill_climbing", kClimbing[i]}};
   }
-  all.push_back(inWorld("3", "office", worlds.office, officeRecipe(kPutBack)));
+  all.push_back(inWorld("3", "office", worlds.office, officeRecipe(0.0)));
   // Nine tenths of the places always, the others three times out of four (paper 7).
   all.back().paper = {{"hill_climbing", 0.9 * 1.0 + 0.1 * 0.75}};
-  all.push_back(inWorld("4", "hallway", worlds.hallway, hallwayRecipe(kPutBack)));
+  all.push_back(inWorld("4", "hallway", worlds.hallway, hallwayRecipe(0.0)));
   all.back().paper = {{"nearest_neighbour", 18.0 / 21.0}, {"hill_climbing", 1.0}};
   all.push_back(inWorld("5", "hallway, 2 ft along it", worlds.hallway, hallwayRecipe(kTwoFeet)));
   all.back().paper = {{"nearest_neighbour", 10.0 / 21.0}, {"hill_climbing", 15.0 / 21.0}};
   return all;
+}
+
+std::vector<Experiment> putBackExperiments(const ShippedWorlds& worlds) {
+  return {inWorld("put_back", "rooms, 3 chairs", worlds.rooms, roomsRecipe(3, kThreeInches)),
+          inWorld("put_back", "office", worlds.office, officeRecipe(kThreeInches)),
+          inWorld("put_back", "hallway", worlds.hallway, hallwayRecipe(kThreeInches))};
 }
 
 }  // namespace place_memory::experiments

@@ -6,10 +6,9 @@
 namespace place_memory::experiments {
 
 constexpr double kDegree = core::kPi / 180.0;
-constexpr double kTwoFeet = 0.6096;  ///< [m]
-constexpr double kOneFoot = 0.3048;  ///< [m]
-/// How far from a place a robot stands that was put back on it: three inches, half a cell [m].
-constexpr double kPutBack = 0.0762;
+constexpr double kTwoFeet = 0.6096;      ///< [m]
+constexpr double kOneFoot = 0.3048;      ///< [m]
+constexpr double kThreeInches = 0.0762;  ///< half a cell [m]
 
 /// Experiments 1 and 2: chairs about the robot, a compass that repeats to ten degrees (paper 4).
 inline trials::Recipe roomsRecipe(int chairs, double shift) {

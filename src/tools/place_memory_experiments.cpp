@@ -61,7 +61,8 @@ void requireWithin(const std::string& name, std::size_t value, std::size_t least
 // Nothing where help was asked for, which is then printed.
 std::optional<Arguments> readArguments(int argc, char** argv) {
   namespace po = boost::program_options;
-  const std::vector<std::string> all_experiments = {"1", "2", "3", "4", "5", "buildings"};
+  const std::vector<std::string> all_experiments = {"1", "2",        "3",        "4",
+                                                    "5", "put_back", "buildings"};
   Arguments arguments;
   RunOptions& run = arguments.run;
   std::string experiments;
@@ -75,7 +76,7 @@ std::optional<Arguments> readArguments(int argc, char** argv) {
   add("worlds", po::value(&arguments.worlds)->default_value("config/worlds"),
       "folder of rooms.yaml, office.yaml and hallway.yaml");
   add("experiments", po::value(&experiments)->default_value("all"),
-      "all, none, or of 1,2,3,4,5,buildings");
+      "all, none, or of 1,2,3,4,5,put_back,buildings");
   add("sweeps", po::value(&sweeps)->default_value("none"),
       "all, none, or of chairs,shift,heading_error,cell_size,places,sonars,readings_lost");
   add("methods", po::value(&methods)->default_value("all"),
@@ -118,6 +119,8 @@ std::optional<Arguments> readArguments(int argc, char** argv) {
 
 std::vector<Experiment> chosenExperiments(const Arguments& arguments, const ShippedWorlds& worlds) {
   std::vector<Experiment> available = paperExperiments(worlds);
+  const std::vector<Experiment> put_back = putBackExperiments(worlds);
+  available.insert(available.end(), put_back.begin(), put_back.end());
   available.push_back(buildingsExperiment());
   std::vector<Experiment> chosen;
   for (const Experiment& experiment : available) {
