@@ -80,7 +80,9 @@ CandidateList someList() {
     candidate.place = i;
     candidate.features[8] = static_cast<double>(i);
     candidate.closely.inner[0][2] = static_cast<int>(i) + 100;
+    candidate.closely.middle[2][1] = static_cast<int>(i) + 300;
     candidate.closely.near[6] = static_cast<int>(i) + 200;
+    candidate.falloff = {-1.0 * static_cast<double>(i), -0.5 * static_cast<double>(i)};
     candidate.at_truth = i == 12;
     list.candidates.push_back(candidate);
   }
@@ -94,7 +96,10 @@ TEST(SecondChoices, AreAmongTheBestOfTheFirstLook) {
   ASSERT_EQ(choice.features.rows(), static_cast<Eigen::Index>(core::kLookedAtAgain));
   EXPECT_EQ(choice.features(0, 0), 28.0);
   EXPECT_EQ(choice.features(2, 3), 112.0);
-  EXPECT_EQ(choice.features(2, 16), 212.0);
+  EXPECT_EQ(choice.features(2, 17), 312.0);
+  EXPECT_EQ(choice.features(2, 25), 212.0);
+  EXPECT_EQ(choice.features(2, 26), -12.0);
+  EXPECT_EQ(choice.features(2, 27), -6.0);
   EXPECT_TRUE(choice.right[2]);
   EXPECT_EQ(std::count(choice.right.begin(), choice.right.end(), true), 1);
 }
@@ -105,15 +110,19 @@ TEST(SecondChoices, ScoreAsTheRecognizerScores) {
   core::SecondLook look;
   look.first = 0.5;
   look.inner[0][2] = 0.25;
+  look.middle[2][1] = -0.5;
   look.near[6] = -0.125;
+  look.beside = 0.75;
+  look.turned = -1.5;
   const CandidateList list = someList();
   const Choice choice = secondChoices({list}, weights).front();
-  EXPECT_DOUBLE_EQ((choice.features * asWeights(look))[0],
-                   core::scoreAgain(28.0, list.candidates[14].closely, look));
+  EXPECT_DOUBLE_EQ(
+      (choice.features * asWeights(look))[0],
+      core::scoreAgain(28.0, list.candidates[14].closely, list.candidates[14].falloff, look));
 }
 
 TEST(AsSecondLook, IsTheInverseOfAsWeights) {
-  const Eigen::VectorXd weights = Eigen::VectorXd::LinSpaced(17, 0.5, 8.5);
+  const Eigen::VectorXd weights = Eigen::VectorXd::LinSpaced(28, 0.5, 14.0);
   EXPECT_EQ(asWeights(asSecondLook(weights)), weights);
 }
 
