@@ -9,6 +9,7 @@ import sys
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import NullFormatter, ScalarFormatter  # noqa: E402
 
 from benchmark_results import Results  # noqa: E402
 
@@ -42,6 +43,10 @@ def main(source, image):
     each.set_ylabel("a place [us]")
     draw(effort, results, lambda name, size: results.get(name, "evaluations_per_place"))
     effort.set_ylabel("evaluations a place")
+    # Less than two decades: powers of ten alone would hardly say anything.
+    effort.set_yticks([20, 50, 100, 200, 500])
+    effort.yaxis.set_major_formatter(ScalarFormatter())
+    effort.yaxis.set_minor_formatter(NullFormatter())
     whole.legend(fontsize=8)
     figure.savefig(image, dpi=80)
 
