@@ -6,9 +6,12 @@
 namespace place_memory::core {
 namespace {
 
-/// So few places are all looked at closely; of more, a part that grows less than they do.
+/// So few places are all looked at closely; of more, a part that grows less than they do, but of
+/// very many more than this: the best of them are ever closer to each other.
 constexpr double kAllClose = 48.0;
 constexpr double kCloseGrowth = 0.75;
+constexpr double kMany = 1000.0;
+constexpr double kGrowthOfMany = 0.15;  ///< of close looks and climbs, beside their own
 /// So many are climbed for, for each turn of the close look; of more or fewer places, a number that
 /// grows less than they do.
 constexpr double kClimbed = 1.0;
@@ -22,7 +25,8 @@ constexpr std::size_t kClimbedATask = 8;
 
 std::size_t grown(double of_few, std::size_t places, double growth) {
   const double times = static_cast<double>(places) / kAllClose;
-  return static_cast<std::size_t>(of_few * std::pow(times, growth));
+  const double more = std::max(1.0, static_cast<double>(places) / kMany);
+  return static_cast<std::size_t>(of_few * std::pow(times, growth) * std::pow(more, kGrowthOfMany));
 }
 
 std::size_t tasksOf(std::size_t places, std::size_t a_task) {
