@@ -12,6 +12,7 @@ namespace place_memory::measure {
 namespace {
 
 constexpr int kGroupSide = 3;
+constexpr int kGroupTurns = 6;
 constexpr double kOne = 65536.0;  // of the fixed point
 constexpr std::size_t kRows = core::kGridSize;
 
@@ -49,6 +50,11 @@ std::array<core::QueryRow, kRows> shifted(const core::CellPlanes& planes, int co
   return result;
 }
 
+core::BlockScores sum(core::BlockScores a, const core::BlockScores& b) {
+  for (std::size_t slot = 0; slot < a.size(); ++slot) a[slot] += b[slot];
+  return a;
+}
+
 bool beats(const ScoredPlace& a, const ScoredPlace& b) {
   return b.id == core::kNoPlace || a.score > b.score || (a.score == b.score && a.id < b.id);
 }
@@ -64,35 +70,41 @@ FullSearch::FullSearch(const core::QueryPlanes& query, const core::LatticeMetric
       bad_(factors(metric.weights, false)) {
   if (metric.overlap_only) throw std::invalid_argument("the metric counts overlapping cells only");
   const int last_turn = window.circular ? window.turns - 1 : window.turns;
-  for (int turn = -window.turns; turn <= last_turn; ++turn) {
+  for (int turn = -window.turns; turn <= last_turn; turn += kGroupTurns) {
+    const int last_of_group = std::min(turn + kGroupTurns - 1, last_turn);
     for (int row = -window.cells; row <= window.cells; row += kGroupSide) {
       for (int column = -window.cells; column <= window.cells; column += kGroupSide) {
-        addGroup({turn, column, row});
+        add({turn, last_of_group, column, row}, coarse_);
+        first_fine_.push_back(fine_.all.size());
+        for (int t = turn; t <= last_of_group; ++t) add({t, t, column, row}, fine_);
+      }
+    }
+  }
+  first_fine_.push_back(fine_.all.size());
+}
+
+template <typename Call>
+void FullSearch::forEachTransform(const Group& group, const Call& call) const {
+  const int last_row = std::min(group.first_row + kGroupSide - 1, window_.cells);
+  const int last_column = std::min(group.first_column + kGroupSide - 1, window_.cells);
+  for (int turn = group.first_turn; turn <= group.last_turn; ++turn) {
+    for (int row = group.first_row; row <= last_row; ++row) {
+      for (int column = group.first_column; column <= last_column; ++column) {
+        call(turn, core::CellShift{column, row});
       }
     }
   }
 }
 
-template <typename Call>
-void FullSearch::forEachShift(const Group& group, const Call& call) const {
-  const int last_row = std::min(group.first_row + kGroupSide - 1, window_.cells);
-  const int last_column = std::min(group.first_column + kGroupSide - 1, window_.cells);
-  for (int row = group.first_row; row <= last_row; ++row) {
-    for (int column = group.first_column; column <= last_column; ++column) {
-      call(core::CellShift{column, row});
-    }
-  }
-}
-
-void FullSearch::addGroup(const Group& group) {
+void FullSearch::add(const Group& group, Groups& groups) const {
   const core::PairWeights& w = metric_.weights;
   const double unsensed = w[kUnsensed][kUnsensed];
   std::array<core::QueryRow, kRows> some{}, all;
   all.fill({~std::uint64_t{0}, ~std::uint64_t{0}});
   double most = -INFINITY;
-  forEachShift(group, [&](core::CellShift shift) {
+  forEachTransform(group, [&](int turn, core::CellShift shift) {
     int occupied = 0, empty = 0;
-    const auto rows = shifted(query_.at(group.turn), shift.columns, shift.rows);
+    const auto rows = shifted(query_.at(turn), shift.columns, shift.rows);
     for (std::size_t i = 0; i < kRows; ++i) {
       some[i].occupied |= rows[i].occupied;
       some[i].empty |= rows[i].empty;
@@ -102,15 +114,14 @@ void FullSearch::addGroup(const Group& group) {
       empty += __builtin_popcountll(rows[i].empty);
     }
     const int cells = shift.columns * shift.columns + shift.rows * shift.rows;
-    most =
-        std::max(most, occupied * (w[kOccupied][kUnsensed] - unsensed) +
-                           empty * (w[kEmpty][kUnsensed] - unsensed) - metric_.shift_cost * cells -
-                           metric_.turn_cost * group.turn * group.turn);
+    most = std::max(most, occupied * (w[kOccupied][kUnsensed] - unsensed) +
+                              empty * (w[kEmpty][kUnsensed] - unsensed) -
+                              metric_.shift_cost * cells - metric_.turn_cost * turn * turn);
   });
-  groups_.push_back(group);
-  somewhere_.insert(somewhere_.end(), some.begin(), some.end());
-  everywhere_.insert(everywhere_.end(), all.begin(), all.end());
-  offsets_.push_back(static_cast<std::int64_t>(std::ceil(most * kOne)));
+  groups.all.push_back(group);
+  groups.somewhere.insert(groups.somewhere.end(), some.begin(), some.end());
+  groups.everywhere.insert(groups.everywhere.end(), all.begin(), all.end());
+  groups.offsets.push_back(static_cast<std::int64_t>(std::ceil(most * kOne)));
 }
 
 double FullSearch::termOf(const core::CellTotals& totals) const {
@@ -120,11 +131,10 @@ double FullSearch::termOf(const core::CellTotals& totals) const {
          totals.empty * (w[kUnsensed][kEmpty] - unsensed) + core::kGridCells * unsensed;
 }
 
-core::KernelInput FullSearch::inputOf(const core::PlaceBlock& block, std::size_t first_group,
-                                      std::size_t groups) const {
-  return {
-      block.planes().rows.data(),   somewhere_.data() + first_group * kRows, kRows, groups, good_,
-      offsets_.data() + first_group};
+bool FullSearch::mayBeBest(std::int64_t bound, const core::CellTotals& totals,
+                           const ScoredPlace& best) const {
+  return best.id == core::kNoPlace ||
+         static_cast<double>(bound) / kOne + termOf(totals) >= best.score - kSlack;
 }
 
 ScoredPlace FullSearch::best(const core::PlaceIndex& places, const ScoredPlace& known) const {
@@ -149,16 +159,17 @@ void FullSearch::search(const core::PlaceIndex& places, std::size_t first_block,
                         std::size_t last_block, ScoredPlace& best) const {
   constexpr std::size_t kGroups = 128;  // at a time, for the cache's sake too
   std::array<core::BlockScores, kGroups> bounds;
-  for (std::size_t first = 0; first < groups_.size(); first += kGroups) {
-    const std::size_t count = std::min(kGroups, groups_.size() - first);
+  for (std::size_t first = 0; first < coarse_.all.size(); first += kGroups) {
+    const std::size_t count = std::min(kGroups, coarse_.all.size() - first);
     for (std::size_t b = first_block; b < last_block; ++b) {
       const core::PlaceBlock& block = *places.blocks()[b];
-      const core::BlockBest most = kernel_(inputOf(block, first, count), bounds.data());
-      bool may_be_best = best.id == core::kNoPlace;
+      const core::BlockBest most =
+          kernel_({block.planes().rows.data(), coarse_.somewhere.data() + first * kRows, kRows,
+                   count, good_, coarse_.offsets.data() + first},
+                  bounds.data());
+      bool may_be_best = false;
       for (std::size_t slot = 0; slot < block.size() && !may_be_best; ++slot) {
-        const double bound =
-            static_cast<double>(most.score[slot]) / kOne + termOf(block.totals(slot));
-        may_be_best = bound >= best.score - kSlack;
+        may_be_best = mayBeBest(most.score[slot], block.totals(slot), best);
       }
       if (!may_be_best) continue;
       for (std::size_t i = 0; i < count; ++i) searchGroup(block, first + i, bounds[i], best);
@@ -168,30 +179,50 @@ void FullSearch::search(const core::PlaceIndex& places, std::size_t first_block,
 
 void FullSearch::searchGroup(const core::PlaceBlock& block, std::size_t group,
                              const core::BlockScores& bounds, ScoredPlace& best) const {
-  std::array<core::BlockScores, 1> penalties;
-  bool has_penalties = false;
-  for (std::size_t slot = 0; slot < block.size(); ++slot) {
-    const double term = termOf(block.totals(slot));
-    const auto cannotBeBest = [&](std::int64_t bound) {
-      return best.id != core::kNoPlace &&
-             static_cast<double>(bound) / kOne + term < best.score - kSlack;
-    };
-    if (cannotBeBest(bounds[slot])) continue;
-    if (!has_penalties) {
-      const std::int64_t none = 0;
-      kernel_(
-          {block.planes().rows.data(), everywhere_.data() + group * kRows, kRows, 1, bad_, &none},
-          penalties.data());
-      has_penalties = true;
+  const core::BlockRow* const rows = block.planes().rows.data();
+  const auto penalties = [&](const Groups& groups, std::size_t first, std::size_t count,
+                             core::BlockScores* scores) {
+    constexpr std::array<std::int64_t, kGroupTurns> kNone{};
+    kernel_({rows, groups.everywhere.data() + first * kRows, kRows, count, bad_, kNone.data()},
+            scores);
+  };
+  std::array<bool, core::kBlockPlaces> left;
+  left.fill(true);
+  const auto someLeft = [&](const core::BlockScores& most) {
+    bool some = false;
+    for (std::size_t slot = 0; slot < block.size(); ++slot) {
+      left[slot] = left[slot] && mayBeBest(most[slot], block.totals(slot), best);
+      some = some || left[slot];
     }
-    if (cannotBeBest(bounds[slot] + penalties[0][slot])) continue;
-    const core::CellPlanes cells = block.planes().get(slot);
-    forEachShift(groups_[group], [&](core::CellShift shift) {
-      const ScoredPlace found{block[slot].id,
-                              core::scoreAt(query_, cells, metric_, shift, groups_[group].turn)};
-      if (beats(found, best)) best = found;
-    });
+    return some;
+  };
+  if (!someLeft(bounds)) return;
+  std::array<core::BlockScores, kGroupTurns> gained, lost;
+  penalties(coarse_, group, 1, lost.data());
+  if (!someLeft(sum(bounds, lost[0]))) return;
+
+  const std::size_t first = first_fine_[group];
+  const std::size_t count = first_fine_[group + 1] - first;
+  kernel_({rows, fine_.somewhere.data() + first * kRows, kRows, count, good_,
+           fine_.offsets.data() + first},
+          gained.data());
+  penalties(fine_, first, count, lost.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    const core::BlockScores most = sum(gained[i], lost[i]);
+    for (std::size_t slot = 0; slot < block.size(); ++slot) {
+      if (!left[slot] || !mayBeBest(most[slot], block.totals(slot), best)) continue;
+      tryTransforms(block, slot, fine_.all[first + i], best);
+    }
   }
+}
+
+void FullSearch::tryTransforms(const core::PlaceBlock& block, std::size_t slot, const Group& group,
+                               ScoredPlace& best) const {
+  const core::CellPlanes cells = block.planes().get(slot);
+  forEachTransform(group, [&](int turn, core::CellShift shift) {
+    const ScoredPlace found{block[slot].id, core::scoreAt(query_, cells, metric_, shift, turn)};
+    if (beats(found, best)) best = found;
+  });
 }
 
 }  // namespace place_memory::measure

@@ -16,10 +16,11 @@ struct ScoredPlace {
   double score = 0.0;
 };
 
-/// Exactly what trying every transform of the window for every place finds, a hundred times as
-/// fast: shifts are taken three by three along both axes, and a bound for all nine of them tells
-/// whether any can be the best. The bound counts what is good wherever one of the nine has it, and
-/// what is bad only where all of them have it.
+/// Exactly what trying every transform of the window for every place finds, hundreds of times as
+/// fast: transforms are taken in groups, three shifts along both axes by six turns, and a bound for
+/// all of a group tells whether any can be the best; where one can, a bound for each turn. A bound
+/// counts what is good wherever a transform of the group has it, and what is bad only where all of
+/// them have it.
 class FullSearch {
  public:
   /// Keeps a reference to the planes. Throws std::invalid_argument where the metric counts pairs of
@@ -33,20 +34,29 @@ class FullSearch {
 
  private:
   struct Group {
-    int turn;
+    int first_turn, last_turn;
     int first_column, first_row;
   };
 
+  /// What the bounds of groups are made from.
+  struct Groups {
+    std::vector<Group> all;
+    std::vector<core::QueryRow> somewhere;   ///< 64 rows a group: set for one of its transforms
+    std::vector<core::QueryRow> everywhere;  ///< set for all of its transforms
+    std::vector<std::int64_t> offsets;       ///< the best of its transforms, places aside
+  };
+
   template <typename Call>
-  void forEachShift(const Group& group, const Call& call) const;
-  void addGroup(const Group& group);
-  core::KernelInput inputOf(const core::PlaceBlock& block, std::size_t first_group,
-                            std::size_t groups) const;
+  void forEachTransform(const Group& group, const Call& call) const;
+  void add(const Group& group, Groups& groups) const;
   /// Looks at some places; `best` is the best one up to then.
   void search(const core::PlaceIndex& places, std::size_t first_block, std::size_t last_block,
               ScoredPlace& best) const;
   void searchGroup(const core::PlaceBlock& block, std::size_t group,
                    const core::BlockScores& bounds, ScoredPlace& best) const;
+  void tryTransforms(const core::PlaceBlock& block, std::size_t slot, const Group& group,
+                     ScoredPlace& best) const;
+  bool mayBeBest(std::int64_t bound, const core::CellTotals& totals, const ScoredPlace& best) const;
   /// What a place's cells count for whatever the transform.
   double termOf(const core::CellTotals& totals) const;
 
@@ -56,10 +66,9 @@ class FullSearch {
   core::PairFactors good_{};  ///< the factors above zero, rounded up
   core::PairFactors bad_{};   ///< the others, rounded up
   core::BlockKernel kernel_ = core::fastestBlockKernel();
-  std::vector<Group> groups_;
-  std::vector<core::QueryRow> somewhere_;   ///< 64 rows a group: set for one of its transforms
-  std::vector<core::QueryRow> everywhere_;  ///< set for all of its transforms
-  std::vector<std::int64_t> offsets_;       ///< the best of its transforms, places aside
+  Groups coarse_;                        ///< several turns each
+  Groups fine_;                          ///< one turn each
+  std::vector<std::size_t> first_fine_;  ///< of each coarse group, and one past the last
 };
 
 }  // namespace place_memory::measure

@@ -29,7 +29,7 @@ constexpr int kTimesYardstick = 3;
 /// Seconds for a place that queries are planned with; they need to be right within a factor of ten.
 constexpr double kSecondsLocal = 1e-6;
 constexpr double kSecondsYardstick = 5e-4;
-constexpr double kSecondsFull = 1e-5;
+constexpr double kSecondsFull = 2e-6;
 constexpr double kMoreForAnyHeading = 4.0;
 
 double headingWindow(const Setting& setting, bool any_heading) {
