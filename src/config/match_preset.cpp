@@ -67,11 +67,11 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   core::Calibration& calibration = preset.calibration;
   reader.number("calibration/scale", {0.0, 1000.0, false, true}, calibration.scale);
   for (std::size_t i = 0; i < core::kSupportNames.size(); ++i) {
-    reader.number(std::string("calibration/") + core::kSupportNames[i], any,
-                  calibration.coefficients[i]);
+    const std::string name = core::kSupportNames[i];
+    reader.number("calibration/right/" + name, any, calibration.right[i]);
+    reader.number("calibration/known/" + name, any, calibration.known[i]);
   }
   reader.number("calibration/sharpness", {0.0, 1000.0, true, true}, calibration.sharpness);
-  reader.number("calibration/others", {0.0, 1.0, true, true}, calibration.others);
   const std::vector<std::string> more = reader.problems();
   problems.insert(problems.end(), more.begin(), more.end());
   if (!problems.empty()) throw ParameterError(problems);

@@ -10,7 +10,10 @@
 namespace place_memory::core {
 namespace {
 
-constexpr int kReach = 2;  ///< steps
+/// Steps. Between smooth walls the truth may lie several cells from the summit; with less than this
+/// the covariance of such poses is too small.
+constexpr int kShiftReach = 4;
+constexpr int kTurnReach = 3;
 
 /// Transforms of the window, and how far from an alignment they are.
 struct Nearby {
@@ -20,11 +23,11 @@ struct Nearby {
 
 Nearby transformsNear(const Alignment& best, const SearchWindow& window) {
   Nearby nearby;
-  for (int turn = -kReach; turn <= kReach; ++turn) {
+  for (int turn = -kTurnReach; turn <= kTurnReach; ++turn) {
     const int at_turn = window.wrapped(best.turn + turn);
     if (std::abs(at_turn) > window.turns) continue;
-    for (int rows = -kReach; rows <= kReach; ++rows) {
-      for (int columns = -kReach; columns <= kReach; ++columns) {
+    for (int rows = -kShiftReach; rows <= kShiftReach; ++rows) {
+      for (int columns = -kShiftReach; columns <= kShiftReach; ++columns) {
         const CellShift shift{best.shift.columns + columns, best.shift.rows + rows};
         if (std::max(std::abs(shift.columns), std::abs(shift.rows)) > window.cells) continue;
         nearby.alignments.push_back({shift, at_turn});

@@ -2,24 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace place_memory::core {
 namespace {
 
-constexpr std::size_t kLead = 11, kProminence = 12, kUncontested = 13;
-/// A lead and a prominence that leave no doubt, in units of the scale.
-constexpr double kClear = 10.0;
-
-double probabilityOf(const Calibration& calibration, const Support& support) {
-  double log_odds = 0.0;
-  for (std::size_t i = 0; i < support.size(); ++i) {
-    log_odds += calibration.coefficients[i] * support[i];
-  }
+double probabilityOf(const Support& coefficients, const Support& support) {
+  const double log_odds =
+      std::inner_product(support.begin(), support.end(), coefficients.begin(), 0.0);
   return 1.0 / (1.0 + std::exp(-log_odds));
 }
 
-/// Splits `rest` among all matches but the first.
+/// Splits `rest` among all matches but the first; none gets more than that has.
 void shareAmongOthers(double rest, double scale, std::vector<PlaceMatch>& matches) {
   double all = 0.0;
   double best = matches[1].score;
@@ -28,6 +23,7 @@ void shareAmongOthers(double rest, double scale, std::vector<PlaceMatch>& matche
     return std::exp(scale * (match.score - best));
   };
   for (std::size_t i = 1; i < matches.size(); ++i) all += weight(matches[i]);
+  rest = std::min(rest, matches.front().probability * all);  // the heaviest weighs 1
   for (std::size_t i = 1; i < matches.size(); ++i) {
     matches[i].probability = rest * weight(matches[i]) / all;
   }
@@ -66,19 +62,13 @@ void judge(const Support& support, const Calibration& calibration, double confid
   std::vector<PlaceMatch>& matches = recognition.matches;
   recognition.verdict = Verdict::kUnknown;
   if (matches.empty()) return;
-  const double probability = probabilityOf(calibration, support);
-  matches.front().probability = probability;
-  if (matches.size() > 1) {
-    const double rest = std::min(calibration.others * (1.0 - probability), probability);
-    shareAmongOthers(rest, calibration.scale, matches);
-  }
-  const bool contested = support[kUncontested] == 0.0;
-  Support clear = support;
-  clear[kLead] = std::max(clear[kLead], std::log1p(kClear));
-  clear[kProminence] = std::max(clear[kProminence], kClear);
-  if (probability >= confidence) {
+  const double right = probabilityOf(calibration.right, support);
+  const double known = std::max(right, probabilityOf(calibration.known, support));
+  matches.front().probability = right;
+  if (matches.size() > 1) shareAmongOthers(known - right, calibration.scale, matches);
+  if (right >= confidence) {
     recognition.verdict = Verdict::kRecognized;
-  } else if (contested && probabilityOf(calibration, clear) >= confidence) {
+  } else if (matches.size() > 1 && known >= confidence) {
     recognition.verdict = Verdict::kAmbiguous;
   }
 }

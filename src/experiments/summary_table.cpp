@@ -1,6 +1,7 @@
 #include "experiments/summary_table.h"
 
 #include <algorithm>
+#include <array>
 
 #include "experiments/statistics.h"
 
@@ -120,6 +121,34 @@ Table verdictTable(const std::vector<Outcome>& outcomes, const std::string& meth
                      verdictCells(summarize(outcome.answers))));
   }
   table.add(joined({"all", ""}, verdictCells(summarize(answersOf(outcomes, method)))));
+  return table;
+}
+
+Table verdictShareTable(const std::vector<Outcome>& outcomes, const std::string& method) {
+  struct Kind {
+    const char* name;
+    bool known, stranger, right;
+  };
+  constexpr Kind kKinds[] = {{"learned place, best match right", true, false, true},
+                             {"learned place, best match wrong", true, false, false},
+                             {"place of the building, never learned", false, false, false},
+                             {"place of another building", false, true, false}};
+  const std::vector<Answer> answers = answersOf(outcomes, method);
+  Table table({"scan of", "scans", "RECOGNIZED", "AMBIGUOUS", "UNKNOWN"});
+  for (const Kind& kind : kKinds) {
+    std::size_t all = 0;
+    std::array<std::size_t, 3> of{};  // by verdict
+    for (const Answer& answer : answers) {
+      if (answer.known != kind.known || answer.stranger != kind.stranger ||
+          answer.right != kind.right) {
+        continue;
+      }
+      ++all;
+      ++of[static_cast<std::size_t>(answer.verdict)];
+    }
+    table.add(
+        {kind.name, std::to_string(all), share(of[2], all), share(of[1], all), share(of[0], all)});
+  }
   return table;
 }
 

@@ -17,7 +17,10 @@ Table accuracyTable(const std::vector<Outcome>& outcomes);
 /// pose, verdicts, strangers, calibration, consistency of the covariance.
 Table verdictTable(const std::vector<Outcome>& outcomes, const std::string& method);
 
-/// The same for every method over all experiments together.
+/// How one method's verdicts spread over all experiments together: a row for each kind of scan.
+Table verdictShareTable(const std::vector<Outcome>& outcomes, const std::string& method);
+
+/// The same as verdictTable() for every method over all experiments together.
 Table methodTable(const std::vector<Outcome>& outcomes);
 
 /// A row for each outcome, all numbers.

@@ -190,8 +190,9 @@ void compare(const Arguments& arguments, const ShippedWorlds& worlds,
   showAndWrite(arguments, "accuracy", accuracyTable(outcomes));
   showAndWrite(arguments, "methods", methodTable(outcomes));
   for (const Method& method : methods) {
-    if (method.name == "default")
-      showAndWrite(arguments, "default", verdictTable(outcomes, method.name));
+    if (method.name != "default") continue;
+    showAndWrite(arguments, "default", verdictTable(outcomes, method.name));
+    showAndWrite(arguments, "verdicts", verdictShareTable(outcomes, method.name));
   }
 }
 

@@ -223,7 +223,8 @@ int train(const Settings& settings) {
             << topOne(choices, weights.metric) << "; answers: top-1 " << report.top_one
             << "; with confidence " << kConfidence << ": recognized and right " << report.recognized
             << ", recognized and wrong " << report.wrong << ", strangers accepted "
-            << report.accepted << "; expected calibration error " << report.calibration_error
+            << report.accepted << "; unknown: known scans " << report.missed << ", strangers "
+            << report.refused << "; expected calibration error " << report.calibration_error
             << "\nwrote " << settings.out << std::endl;
   return 0;
 }

@@ -27,9 +27,9 @@ core::PairCounts countsOf(const Features& features) {
 
 /// The best match of a scan, as the calibration sees it.
 struct Sample {
-  Regressors regressors;  ///< 1, the four shares of agreement, log(1 + scale * lead)
+  Regressors regressors;
   bool right = false;
-  bool right_elsewhere = false;  ///< a place that is right is not the best match
+  bool known = false;  ///< one of the places is right, the best match or not
   double weight = 1.0;
 };
 
@@ -66,23 +66,21 @@ Ranking rankingOf(const CandidateList& list, const RankingWeights& weights) {
 Sample sampleOf(const CandidateList& list, const RankingWeights& weights, double scale,
                 double weight) {
   const Ranking ranking = rankingOf(list, weights);
+  Sample sample;
   std::vector<core::Opinion> opinions;
-  bool any_right = false;
   for (std::size_t i = 0; i < ranking.order.size(); ++i) {
     const Candidate& candidate = *ranking.order[i];
     const core::Pose2d& pose = candidate.place_from_scan;
     opinions.push_back({ranking.scores[i], std::hypot(pose.x, pose.y), candidate.map_from_scan});
-    any_right = any_right || candidate.right;
+    sample.known = sample.known || candidate.right;
   }
   const core::Consensus consensus = core::findConsensus(opinions, list.cell_size);
   const Candidate& match = *ranking.order[consensus.chosen];
   const core::Support support =
       core::supportOf(countsOf(match.features), match.closely, countsOf(list.own), consensus,
                       list.candidates.size(), scale);
-  Sample sample;
   sample.regressors = Eigen::Map<const Regressors>(support.data());
   sample.right = match.right;
-  sample.right_elsewhere = any_right && !match.right;
   sample.weight = weight;
   return sample;
 }
@@ -106,7 +104,7 @@ double probabilityOf(const Sample& sample, const Regressors& coefficients) {
   return 1.0 / (1.0 + std::exp(-coefficients.dot(sample.regressors)));
 }
 
-Regressors fitLogistic(const std::vector<Sample>& samples) {
+core::Support fitLogistic(const std::vector<Sample>& samples, bool Sample::*holds) {
   constexpr int kSteps = 60;
   constexpr double kRidge = 1e-5;
   using Hessian =
@@ -117,7 +115,7 @@ Regressors fitLogistic(const std::vector<Sample>& samples) {
     Hessian hessian = kRidge * Hessian::Identity();
     for (const Sample& sample : samples) {
       const double p = probabilityOf(sample, coefficients);
-      gradient += sample.weight * (p - (sample.right ? 1.0 : 0.0)) * sample.regressors;
+      gradient += sample.weight * (p - (sample.*holds ? 1.0 : 0.0)) * sample.regressors;
       hessian += sample.weight * p * (1.0 - p) * sample.regressors * sample.regressors.transpose();
     }
     Regressors step = hessian.ldlt().solve(gradient);
@@ -125,7 +123,9 @@ Regressors fitLogistic(const std::vector<Sample>& samples) {
     if (size > 2.0) step *= 2.0 / size;
     coefficients -= step;
   }
-  return coefficients;
+  core::Support result;
+  Eigen::Map<Regressors>(result.data()) = coefficients;
+  return result;
 }
 
 }  // namespace
@@ -137,14 +137,8 @@ core::Calibration fitCalibration(const std::vector<CandidateList>& known,
   // A second look's scores are in nats already: it is fitted on the scale of its first look.
   if (!weights.second_look) calibration.scale = bestScale(firstChoices(known), weights.metric);
   const std::vector<Sample> samples = samplesOf(known, strangers, weights, calibration.scale);
-  const Regressors coefficients = fitLogistic(samples);
-  Eigen::Map<Regressors>(calibration.coefficients.data()) = coefficients;
-  double wrong = 0.0, elsewhere = 0.0;
-  for (const Sample& sample : samples) {
-    wrong += sample.right ? 0.0 : sample.weight;
-    elsewhere += sample.right_elsewhere ? sample.weight : 0.0;
-  }
-  calibration.others = wrong > 0.0 ? elsewhere / wrong : 0.0;
+  calibration.right = fitLogistic(samples, &Sample::right);
+  calibration.known = fitLogistic(samples, &Sample::known);
   return calibration;
 }
 
@@ -157,18 +151,22 @@ CalibrationReport reportCalibration(const std::vector<CandidateList>& known,
     double weight = 0.0, probability = 0.0, right = 0.0;
   };
   std::array<Bin, kBins> bins;
-  const Regressors coefficients = Eigen::Map<const Regressors>(calibration.coefficients.data());
+  const Regressors right = Eigen::Map<const Regressors>(calibration.right.data());
+  const Regressors known_place = Eigen::Map<const Regressors>(calibration.known.data());
   CalibrationReport report;
   const std::size_t known_count = samplesOf(known, {}, weights, calibration.scale).size();
   std::size_t index = 0;
   for (const Sample& sample : samplesOf(known, strangers, weights, calibration.scale)) {
-    const double p = probabilityOf(sample, coefficients);
+    const double p = probabilityOf(sample, right);
     Bin& bin = bins[std::min(static_cast<std::size_t>(p * kBins), kBins - 1)];
     bin.weight += sample.weight;
     bin.probability += sample.weight * p;
     bin.right += sample.right ? sample.weight : 0.0;
     const bool is_known = index++ < known_count;
     if (is_known && sample.right) report.top_one += sample.weight;
+    if (p < confidence && probabilityOf(sample, known_place) < confidence) {
+      (is_known ? report.missed : report.refused) += sample.weight;
+    }
     if (p < confidence) continue;
     if (!is_known) report.accepted += sample.weight;
     if (is_known && sample.right) report.recognized += sample.weight;

@@ -26,6 +26,8 @@ struct CalibrationReport {
   double recognized = 0.0;         ///< share of the known scans that are RECOGNIZED and right
   double wrong = 0.0;              ///< share of the known scans that are RECOGNIZED and wrong
   double accepted = 0.0;           ///< share of the strangers that are RECOGNIZED
+  double missed = 0.0;             ///< share of the known scans that are UNKNOWN
+  double refused = 0.0;            ///< share of the strangers that are UNKNOWN
   double top_one = 0.0;            ///< share of the known scans whose best match is right
   double calibration_error = 0.0;  ///< expected, over ten bins, both sides weighing the same
 };

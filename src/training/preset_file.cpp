@@ -38,6 +38,13 @@ void writeSecondLook(std::ostream& out, const core::SecondLook& look) {
       << "  turned: " << number(look.turned) << "  # in [-1000, 1000]\n";
 }
 
+void writeCoefficients(std::ostream& out, const core::Support& coefficients) {
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    out << "    " << core::kSupportNames[i] << ": " << number(coefficients[i])
+        << "  # in [-1000, 1000]\n";
+  }
+}
+
 }  // namespace
 
 void writePreset(const std::string& path, const std::string& origin,
@@ -60,17 +67,15 @@ void writePreset(const std::string& path, const std::string& origin,
   }
   if (preset.second_look) writeSecondLook(file, *preset.second_look);
   const core::Calibration& c = preset.calibration;
-  file << "\n# From scores to probabilities: coefficients of the log odds that the best match is "
-          "right. What\n# they are taken with: kSupportNames in core/verdict.h.\ncalibration:\n"
-       << "  scale: " << number(c.scale) << "  # [1 / score], in (0, 1000]\n";
-  for (std::size_t i = 0; i < c.coefficients.size(); ++i) {
-    file << "  " << core::kSupportNames[i] << ": " << number(c.coefficients[i])
-         << "  # in [-1000, 1000]\n";
-  }
+  file << "\n# From scores to probabilities: coefficients of log odds. What they are taken with: "
+          "kSupportNames in\n# core/verdict.h.\ncalibration:\n"
+       << "  scale: " << number(c.scale) << "  # [1 / score], in (0, 1000]\n"
+       << "  right:  # that the best match is right\n";
+  writeCoefficients(file, c.right);
+  file << "  known:  # that the scan is of any place of the memory\n";
+  writeCoefficients(file, c.known);
   file << "  sharpness: " << number(c.sharpness)
-       << "  # of a pose's likelihood by its score, for the covariance [1 / score], in [0, 1000]\n"
-       << "  others: " << number(c.others)
-       << "  # share of the remaining probability that the other places get, in [0, 1]\n";
+       << "  # of a pose's likelihood by its score, for the covariance [1 / score], in [0, 1000]\n";
   file.close();
   if (!file) throw std::runtime_error(path + ": cannot be written");
 }

@@ -218,7 +218,8 @@ TEST(MatchPreset, BuiltInPresetsAreTheFiles) {
     const MatchPreset built_in = loadPreset(name);
     EXPECT_EQ(built_in.metric.weights, file.metric.weights) << name;
     EXPECT_EQ(built_in.calibration.scale, file.calibration.scale) << name;
-    EXPECT_EQ(built_in.calibration.coefficients, file.calibration.coefficients) << name;
+    EXPECT_EQ(built_in.calibration.right, file.calibration.right) << name;
+    EXPECT_EQ(built_in.calibration.known, file.calibration.known) << name;
     EXPECT_EQ(built_in.second_look.has_value(), file.second_look.has_value()) << name;
   }
 }
@@ -234,19 +235,25 @@ TEST_P(MalformedPreset, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     MatchPreset, MalformedPreset,
     testing::Values("", "[", "evidence", "weights: 1", "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
-                    "calibration: {scale: 0.1, bias: 1}",
-                    "weights: [[1, 0, 0], [0, 1, 0]]\ncalibration: {scale: 0.1, bias: 1}",
-                    "weights: [[1, 0], [0, 1], [0, 0]]\ncalibration: {scale: 0.1, bias: 1}",
+                    "calibration: {scale: 0.1, right: {bias: 1}}",
+                    "weights: [[1, 0, 0], [0, 1, 0]]\ncalibration: {scale: 0.1, right: {bias: 1}}",
+                    "weights: [[1, 0], [0, 1], [0, 0]]\ncalibration: {scale: 0.1, right: {bias: 1}}",
                     "weights: [[1, 0, x], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, bias: 1}",
+                    "calibration: {scale: 0.1, right: {bias: 1}}",
                     "weights: [[1, 0, .nan], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, bias: 1}",
+                    "calibration: {scale: 0.1, right: {bias: 1}}",
                     "weights: [[1, 0, 2000], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, bias: 1}",
+                    "calibration: {scale: 0.1, right: {bias: 1}}",
                     "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0, stranger: 1}",
+                    "calibration: {scale: 0}",
                     "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
                     "calibration: {scale: 0.1, strangers: 1}",
+                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1, bias: 1}",
+                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1, right: 3}",
+                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+                    "calibration: {scale: 0.1, known: {bias: 2000}}",
                     "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
                     "calibration: {scale: 0.1}\nsecond_look: 3",
                     "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"

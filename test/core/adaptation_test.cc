@@ -25,7 +25,7 @@ class AdaptationTest : public testing::Test {
   // Whatever fits best is recognized: what verdicts are worth is another matter.
   PlaceMemoryOptions options(bool enabled = true) const {
     PlaceMemoryOptions options;
-    options.recognizer.calibration.coefficients = {20.0};
+    options.recognizer.calibration.right = {20.0};
     options.adaptation.enabled = enabled;
     options.store_path = store_;
     return options;

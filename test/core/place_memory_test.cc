@@ -34,8 +34,8 @@ class PlaceMemoryTest : public testing::Test {
   // Random scans agree in most cells, and a place with its own scan in all 4096 of them.
   static PlaceMemoryOptions options() {
     PlaceMemoryOptions options;
-    options.recognizer.calibration.coefficients = {-20.0, 0.0, 0.0, 0.0, 30.0, 0.0,
-                                                   0.0,   0.0, 0.0, 0.0, 0.0};
+    options.recognizer.calibration.right = {-20.0, 0.0, 0.0, 0.0, 30.0};
+    options.recognizer.calibration.known = {-20.0};
     return options;
   }
 

@@ -84,10 +84,8 @@ TEST(Judge, AGoodMatchWithACloseRunnerUpIsAmbiguous) {
   EXPECT_EQ(judged({40.0, 39.9}, support(0.9, 0.1)).verdict, Verdict::kAmbiguous);
 }
 
-TEST(Judge, WhereNoOtherPlaceContradictsNothingIsAmbiguous) {
-  Support alone = support(0.9, 0.0);
-  alone[named("uncontested")] = 20.0;
-  EXPECT_EQ(judged({20.0}, alone).verdict, Verdict::kUnknown);
+TEST(Judge, TheOnlyPlaceIsNeverAmbiguous) {
+  EXPECT_EQ(judged({20.0}, support(0.9, 0.0)).verdict, Verdict::kUnknown);
 }
 
 TEST(Judge, ABadMatchIsUnknownHoweverFarAhead) {
@@ -115,17 +113,35 @@ TEST(Judge, AChosenMatchMayScoreLessThanTheOthers) {
 TEST(Judge, TheOddsFollowTheStatedFormula) {
   Calibration calibration;
   calibration.scale = 0.5;
-  calibration.others = 0.25;
-  double log_odds = 0.0;
+  double right = 0.0, known = 0.0;
   const Support given = support(0.9, 4.0);
   for (std::size_t i = 0; i < given.size(); ++i) {
-    calibration.coefficients[i] = 0.1 * static_cast<double>(i) - 0.2;
-    log_odds += calibration.coefficients[i] * given[i];
+    calibration.right[i] = 0.1 * static_cast<double>(i) - 0.2;
+    calibration.known[i] = 0.2 * static_cast<double>(i) - 0.5;
+    right += calibration.right[i] * given[i];
+    known += calibration.known[i] * given[i];
   }
   const Recognition recognition = judged({9.0, 5.0}, given, calibration);
-  const double p = 1.0 / (1.0 + std::exp(-log_odds));
+  const double p = 1.0 / (1.0 + std::exp(-right));
   EXPECT_NEAR(recognition.matches[0].probability, p, 1e-12);
-  EXPECT_NEAR(recognition.matches[1].probability, 0.25 * (1.0 - p), 1e-12);
+  EXPECT_NEAR(recognition.matches[1].probability, 1.0 / (1.0 + std::exp(-known)) - p, 1e-12);
+}
+
+TEST(Judge, NoOtherMatchIsMoreLikelyThanTheBest) {
+  Calibration calibration;
+  calibration.right = {-2.0};
+  calibration.known = {4.0};
+  const Recognition recognition = judged({9.0, 8.9, 3.0}, support(0.5, 0.1), calibration);
+  EXPECT_EQ(recognition.verdict, Verdict::kAmbiguous);
+  EXPECT_EQ(recognition.matches[1].probability, recognition.matches[0].probability);
+  EXPECT_LT(recognition.matches[2].probability, recognition.matches[1].probability);
+}
+
+TEST(Judge, SomePlaceIsNeverLessLikelyThanTheBest) {
+  Calibration calibration;
+  calibration.right = {0.5};
+  calibration.known = {-4.0};
+  EXPECT_EQ(judged({9.0, 8.0}, support(0.5, 0.1), calibration).matches[1].probability, 0.0);
 }
 
 }  // namespace

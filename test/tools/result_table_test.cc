@@ -29,7 +29,7 @@ Event event(Action action, const std::string& label = "") {
 /// Whatever fits best is recognized: what verdicts are worth is another matter.
 core::PlaceMemoryOptions adapting(bool enabled, const std::string& store = "") {
   core::PlaceMemoryOptions options;
-  options.recognizer.calibration.coefficients = {20.0};
+  options.recognizer.calibration.right = {20.0};
   options.store_path = store;
   options.adaptation.enabled = enabled;
   return options;

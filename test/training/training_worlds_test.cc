@@ -73,6 +73,7 @@ TEST(FitCalibration, TellsKnownScansFromStrangersBetterThanChance) {
   const core::Calibration calibration = fitCalibration(known, strangers, weights);
   const CalibrationReport report = reportCalibration(known, strangers, weights, calibration, 0.6);
   EXPECT_GT(report.recognized, report.accepted);
+  EXPECT_GT(report.refused, report.missed);
   EXPECT_LT(report.calibration_error, 0.25);
 }
 
@@ -91,9 +92,10 @@ TEST(WritePreset, IsReadBackAsItWas) {
   look.near = {1.0, -2.0, 4.0, -8.0, 0.5, 0.25, -0.125};
   preset.second_look = look;
   preset.calibration.scale = 0.5;
-  preset.calibration.coefficients = {-1.0, 0.25, -0.5, -0.75, 2.0, 3.0,  4.0, 5.0,
-                                     1.25, 0.5,  -8.0, 6.0,   7.0, -7.0, 9.0};
-  preset.calibration.others = 0.125;
+  preset.calibration.right = {-1.0, 0.25, -0.5, -0.75, 2.0, 3.0,  4.0, 5.0,
+                              1.25, 0.5,  -8.0, 6.0,   7.0, -7.0, 9.0};
+  preset.calibration.known = {1.0,  0.5, -1.5, -2.75, 8.0, 2.0, 3.0, 6.0,
+                              2.25, 1.5, -4.0, 0.0,   1.0, 7.0, -9.0};
   preset.calibration.sharpness = 0.0625;
   const std::string path = testing::TempDir() + "preset.yaml";
   writePreset(path, "Written by a test.", preset);
@@ -110,9 +112,9 @@ TEST(WritePreset, IsReadBackAsItWas) {
   EXPECT_EQ(read.second_look->beside, -0.5);
   EXPECT_EQ(read.second_look->turned, 0.375);
   EXPECT_EQ(read.calibration.scale, 0.5);
-  EXPECT_EQ(read.calibration.coefficients, preset.calibration.coefficients);
+  EXPECT_EQ(read.calibration.right, preset.calibration.right);
+  EXPECT_EQ(read.calibration.known, preset.calibration.known);
   EXPECT_EQ(read.calibration.sharpness, 0.0625);
-  EXPECT_EQ(read.calibration.others, 0.125);
 }
 
 TEST(WritePreset, WithoutASecondLookThereIsNone) {

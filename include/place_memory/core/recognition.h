@@ -11,8 +11,8 @@
 namespace place_memory::core {
 
 enum class Verdict {
-  kUnknown,     ///< no place fits, or there is none
-  kAmbiguous,   ///< a place fits, but the runner-up is too close
+  kUnknown,     ///< no place is sure to fit, or there is none
+  kAmbiguous,   ///< one of the places, but which is not sure
   kRecognized,  ///< the best match is the place
 };
 

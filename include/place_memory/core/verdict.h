@@ -37,22 +37,23 @@ using Support = std::array<double, kSupportNames.size()>;
 Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCounts& own,
                   const Consensus& consensus, std::size_t places, double scale);
 
-/// From scores to probabilities. The log odds that the best match is right are the sum of
-/// coefficients times support. What is left of the probability goes by `others` to the other
-/// places, in proportion to exp(scale * score).
+/// From scores to probabilities. Log odds are the sum of coefficients times support. What the
+/// probability that the scan is of a known place exceeds that of the best match by goes to the
+/// other places, in proportion to exp(scale * score), but to none more than the best has.
 struct Calibration {
   double scale = 1.0;  ///< [1 / score], > 0
-  Support coefficients{-6.0, 2.0, -5.0, -5.0, 5.0, 0.0, 0.0, 0.0,
-                       0.0,  0.0, 0.0,  1.0,  0.0, 0.0, 0.0};
-  double others = 0.5;  ///< share, in [0, 1]
+  /// Of the log odds that the best match is right.
+  Support right{-6.0, 2.0, -5.0, -5.0, 5.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
+  /// Of those that the scan is of any place of the memory.
+  Support known{-4.0, 2.0, -5.0, -5.0, 5.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
   /// How sharply a pose's likelihood falls with its score, for the pose's covariance [1 / score],
   /// >= 0.
   double sharpness = 0.1;
 };
 
 /// Sets the probabilities of the matches, which are ranked, and the verdict: RECOGNIZED where the
-/// best has at least `confidence`; AMBIGUOUS where it would have it if no other place came near it;
-/// else UNKNOWN.
+/// best has at least `confidence`; AMBIGUOUS where that the scan is of one of several places has
+/// it; else UNKNOWN.
 void judge(const Support& support, const Calibration& calibration, double confidence,
            Recognition& recognition);
 
