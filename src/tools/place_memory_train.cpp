@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "place_memory/config/match_preset.h"
+#include "place_memory/core/recognizer_options.h"
 #include "tools/progress_bar.h"
 #include "training/calibration_fit.h"
 #include "training/candidates.h"
@@ -38,7 +39,6 @@ constexpr place_memory::core::PairWeights kPriorWeights{
     {{0.87, 0.64, -1.38}, {0.05, 0.17, -1.10}, {-2.23, -1.50, 3.52}}};
 /// A place this near is no stranger: its grid shows the same walls [m].
 constexpr double kStrangerDistance = 2.5;
-constexpr double kConfidence = 0.8;
 /// Pull of the second look towards the first.
 constexpr double kSecondLookRidge = 1e-4;
 
@@ -215,13 +215,14 @@ int train(const Settings& settings) {
 
   const std::vector<TrialSet> others = simulate(settings.seeds, settings.held_back);
   const std::vector<Lists> held_back = align(others, preset.metric);
+  const double confidence = place_memory::core::RecognizerOptions{}.confidence;
   const CalibrationReport report =
       reportCalibration(joined(held_back), strangersTo(others, held_back, preset.metric), weights,
-                        preset.calibration, kConfidence);
+                        preset.calibration, confidence);
   const std::vector<Choice> choices = firstChoices(joined(held_back));
   std::cout << "held back: first look: loss " << rankingLoss(choices, weights.metric) << ", top-1 "
             << topOne(choices, weights.metric) << "; answers: top-1 " << report.top_one
-            << "; with confidence " << kConfidence << ": recognized and right " << report.recognized
+            << "; with confidence " << confidence << ": recognized and right " << report.recognized
             << ", recognized and wrong " << report.wrong << ", strangers accepted "
             << report.accepted << "; unknown: known scans " << report.missed << ", strangers "
             << report.refused << "; expected calibration error " << report.calibration_error

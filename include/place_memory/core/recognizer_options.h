@@ -23,7 +23,7 @@ struct RecognizerOptions {
   std::optional<SecondLook> second_look;  ///< at the places that score best; none: one look
   Calibration calibration;
   double position_window = 1.2;  ///< largest shift sought along x and along y [m], > 0
-  double confidence = 0.8;       ///< probability from which a place is RECOGNIZED, in (0.5, 1)
+  double confidence = 0.82;      ///< probability from which a place is RECOGNIZED, in (0.5, 1)
 };
 
 }  // namespace place_memory::core
