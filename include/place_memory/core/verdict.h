@@ -52,8 +52,7 @@ struct Calibration {
 };
 
 /// Sets the probabilities of the matches, which are ranked, and the verdict: RECOGNIZED where the
-/// best has at least `confidence`; AMBIGUOUS where that the scan is of one of several places has
-/// it; else UNKNOWN.
+/// best has at least `confidence`; AMBIGUOUS where only all places together have it; else UNKNOWN.
 void judge(const Support& support, const Calibration& calibration, double confidence,
            Recognition& recognition);
 
