@@ -234,39 +234,40 @@ TEST_P(MalformedPreset, IsRefused) {
 
 INSTANTIATE_TEST_SUITE_P(
     MatchPreset, MalformedPreset,
-    testing::Values("", "[", "evidence", "weights: 1", "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
-                    "calibration: {scale: 0.1, right: {bias: 1}}",
-                    "weights: [[1, 0, 0], [0, 1, 0]]\ncalibration: {scale: 0.1, right: {bias: 1}}",
-                    "weights: [[1, 0], [0, 1], [0, 0]]\ncalibration: {scale: 0.1, right: {bias: 1}}",
-                    "weights: [[1, 0, x], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, right: {bias: 1}}",
-                    "weights: [[1, 0, .nan], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, right: {bias: 1}}",
-                    "weights: [[1, 0, 2000], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, right: {bias: 1}}",
-                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0}",
-                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, strangers: 1}",
-                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, bias: 1}",
-                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, right: 3}",
-                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1, known: {bias: 2000}}",
-                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1}\nsecond_look: 3",
-                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1}\nsecond_look: {first: 1}",
-                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1}\n"
-                    "second_look: {first: -1, inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}",
-                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1}\n"
-                    "second_look: {nearest: 1, inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}",
-                    "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-                    "calibration: {scale: 0.1}\n"
-                    "second_look: {inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]], middle: 3}"));
+    testing::Values(
+        "", "[", "evidence", "weights: 1", "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
+        "calibration: {scale: 0.1, right: {bias: 1}}",
+        "weights: [[1, 0, 0], [0, 1, 0]]\ncalibration: {scale: 0.1, right: {bias: 1}}",
+        "weights: [[1, 0], [0, 1], [0, 0]]\ncalibration: {scale: 0.1, right: {bias: 1}}",
+        "weights: [[1, 0, x], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1, right: {bias: 1}}",
+        "weights: [[1, 0, .nan], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1, right: {bias: 1}}",
+        "weights: [[1, 0, 2000], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1, right: {bias: 1}}",
+        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0}",
+        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1, strangers: 1}",
+        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1, bias: 1}",
+        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1, right: 3}",
+        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1, known: {bias: 2000}}",
+        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1}\nsecond_look: 3",
+        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1}\nsecond_look: {first: 1}",
+        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1}\n"
+        "second_look: {first: -1, inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}",
+        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1}\n"
+        "second_look: {nearest: 1, inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}",
+        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
+        "calibration: {scale: 0.1}\n"
+        "second_look: {inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]], middle: 3}"));
 
 }  // namespace
 }  // namespace place_memory::config
