@@ -11,23 +11,20 @@ namespace {
 constexpr double kAllClose = 48.0;
 constexpr double kCloseGrowth = 0.75;
 constexpr double kMany = 1000.0;
-constexpr double kGrowthOfMany = 0.15;  ///< of close looks and climbs, beside their own
+/// Of close looks and climbs, beside their own; more where the heading is not known.
+constexpr double kGrowthOfMany = 0.15;
+constexpr double kGrowthOfManyAnyHeading = 0.2;
 /// So many are climbed for, for each turn of the close look; of more or fewer places, a number that
 /// grows less than they do.
 constexpr double kClimbed = 1.0;
 constexpr double kClimbedGrowth = 0.5;
 
-/// So many of the first are settled: the order of the others matters less.
-constexpr std::size_t kSurelySettled = 4;
+/// So many of the first are settled, more of many places: the order of the others matters less.
+constexpr double kSettled = 4.0;
+constexpr double kSettledGrowthOfMany = 0.16;
 
 constexpr std::size_t kRankedATask = 64;
 constexpr std::size_t kClimbedATask = 8;
-
-std::size_t grown(double of_few, std::size_t places, double growth) {
-  const double times = static_cast<double>(places) / kAllClose;
-  const double more = std::max(1.0, static_cast<double>(places) / kMany);
-  return static_cast<std::size_t>(of_few * std::pow(times, growth) * std::pow(more, kGrowthOfMany));
-}
 
 std::size_t tasksOf(std::size_t places, std::size_t a_task) {
   return (places + a_task - 1) / a_task;
@@ -88,14 +85,24 @@ std::vector<PlaceAlignment> RestartSearch::run() const {
   return answer;
 }
 
+double RestartSearch::timesMany(double growth) const {
+  return std::pow(std::max(1.0, static_cast<double>(size_) / kMany), growth);
+}
+
+std::size_t RestartSearch::grown(double of_few, double growth) const {
+  const double times = static_cast<double>(size_) / kAllClose;
+  const double more = window_.circular ? kGrowthOfManyAnyHeading : kGrowthOfMany;
+  return static_cast<std::size_t>(of_few * std::pow(times, growth) * timesMany(more));
+}
+
 std::size_t RestartSearch::climbed() const {
   if (metric_.overlap_only) return size_;
   const double of_few = kClimbed * static_cast<double>(lattice_.turns());
-  return std::max(kSurelyClimbed, grown(of_few, size_, kClimbedGrowth));
+  return std::max(kSurelyClimbed, grown(of_few, kClimbedGrowth));
 }
 
 std::vector<RestartSearch::Ranked> RestartSearch::rank() const {
-  const std::size_t close = grown(kAllClose, size_, kCloseGrowth);
+  const std::size_t close = grown(kAllClose, kCloseGrowth);
   std::vector<Ranked> ranked;
   // Looks take cells beyond the rim as unsensed: they show starts for another metric, but not which
   // places score high.
@@ -191,14 +198,15 @@ void RestartSearch::settleSummits(const std::vector<Ranked*>& places) const {
 }
 
 void RestartSearch::finish(std::vector<Ranked*>& ranked) const {
-  for (std::size_t first = climbed();; first = kSurelyClimbed) {
+  const auto settled = static_cast<std::size_t>(kSettled * timesMany(kSettledGrowthOfMany));
+  for (std::size_t first = climbed();; first = std::max(kSurelyClimbed, settled)) {
     first = std::min(first, ranked.size());
     const auto end = ranked.begin() + static_cast<std::ptrdiff_t>(first);
     std::partial_sort(ranked.begin(), end, ranked.end(), isBetter);
     std::vector<Ranked*> to_climb, to_settle;
     for (std::size_t i = 0; i < first; ++i) {
       if (ranked[i]->summits.empty()) to_climb.push_back(ranked[i]);
-      if (i < kSurelySettled && !ranked[i]->settled) to_settle.push_back(ranked[i]);
+      if (i < settled && !ranked[i]->settled) to_settle.push_back(ranked[i]);
     }
     if (to_climb.empty() && to_settle.empty()) break;
     if (to_climb.empty()) {

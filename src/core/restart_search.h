@@ -39,6 +39,10 @@ class RestartSearch {
 
   static bool isBetter(const Ranked* a, const Ranked* b);
 
+  /// How many times as many a number becomes in a large memory; 1 in others.
+  double timesMany(double growth) const;
+  /// How many of all places, where it is `of_few` of a few.
+  std::size_t grown(double of_few, double growth) const;
   /// How many places are climbed for at the least.
   std::size_t climbed() const;
   /// The best places, each at its best start.
