@@ -10,32 +10,55 @@
 namespace place_memory::core {
 namespace {
 
-/// Steps. Between smooth walls the truth may lie several cells from the summit; with less than this
-/// the covariance of such poses is too small.
-constexpr int kShiftReach = 4;
-constexpr int kTurnReach = 3;
+struct Reach {
+  int shift;  ///< [cells]
+  int turn;   ///< [heading steps]
+};
+constexpr Reach kNear{2, 2};
+/// Between smooth walls the truth may lie several cells from the summit; with less than this the
+/// covariance of such poses is too small.
+constexpr Reach kFar{4, 3};
+/// Where no transform at the rim of what is near weighs so much, what lies beyond it weighs
+/// nothing.
+constexpr double kNegligible = 0.05;
 
-/// Transforms of the window, and how far from an alignment they are.
+/// A transform of the window, how far from an alignment it is, and what it weighs.
 struct Nearby {
-  std::vector<Alignment> alignments;
-  std::vector<Eigen::Vector3d> steps;  ///< columns, rows, heading steps
+  Eigen::Vector3d steps;  ///< columns, rows, heading steps
+  double weight;
 };
 
-Nearby transformsNear(const Alignment& best, const SearchWindow& window) {
-  Nearby nearby;
-  for (int turn = -kTurnReach; turn <= kTurnReach; ++turn) {
+std::vector<Nearby> transformsNear(const Climber& climber, const SearchWindow& window,
+                                   const Alignment& best, const Reach& reach, double sharpness) {
+  std::vector<Alignment> at;
+  std::vector<Nearby> nearby;
+  for (int turn = -reach.turn; turn <= reach.turn; ++turn) {
     const int at_turn = window.wrapped(best.turn + turn);
     if (std::abs(at_turn) > window.turns) continue;
-    for (int rows = -kShiftReach; rows <= kShiftReach; ++rows) {
-      for (int columns = -kShiftReach; columns <= kShiftReach; ++columns) {
+    for (int rows = -reach.shift; rows <= reach.shift; ++rows) {
+      for (int columns = -reach.shift; columns <= reach.shift; ++columns) {
         const CellShift shift{best.shift.columns + columns, best.shift.rows + rows};
         if (std::max(std::abs(shift.columns), std::abs(shift.rows)) > window.cells) continue;
-        nearby.alignments.push_back({shift, at_turn});
-        nearby.steps.emplace_back(columns, rows, turn);
+        at.push_back({shift, at_turn});
+        nearby.push_back({Eigen::Vector3d(columns, rows, turn), 0.0});
       }
     }
   }
+  at.push_back(best);
+  climber.evaluate(at.data(), at.size());
+  for (std::size_t i = 0; i < nearby.size(); ++i) {
+    const double lead = at.back().score - at[i].score;
+    nearby[i].weight = std::exp(-std::max(sharpness * lead, 0.0));
+  }
   return nearby;
+}
+
+bool fadesOut(const std::vector<Nearby>& nearby) {
+  return std::none_of(nearby.begin(), nearby.end(), [](const Nearby& transform) {
+    const Eigen::Vector3d steps = transform.steps.cwiseAbs();
+    const bool at_rim = std::max(steps.x(), steps.y()) >= kNear.shift || steps.z() >= kNear.turn;
+    return at_rim && transform.weight >= kNegligible;
+  });
 }
 
 }  // namespace
@@ -44,20 +67,17 @@ PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
                           const LatticeMetric& metric, const SearchWindow& window,
                           const Alignment& best, double cell_size, double sharpness) {
   const Eigen::Vector3d step(cell_size, cell_size, kHeadingStep);
-  const Nearby nearby = transformsNear(best, window);
-  std::vector<Alignment> at = nearby.alignments;
-  at.push_back(best);
-  Climber(query, learned, metric, window).evaluate(at.data(), at.size());
+  const Climber climber(query, learned, metric, window);
+  std::vector<Nearby> nearby = transformsNear(climber, window, best, kNear, sharpness);
+  if (!fadesOut(nearby)) nearby = transformsNear(climber, window, best, kFar, sharpness);
   double all = 0.0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < nearby.steps.size(); ++i) {
-    const double lead = at.back().score - at[i].score;
-    const double weight = std::exp(-std::max(sharpness * lead, 0.0));
-    const Eigen::Vector3d offset = nearby.steps[i].cwiseProduct(step);
-    all += weight;
-    mean += weight * offset;
-    second += weight * offset * offset.transpose();
+  for (const Nearby& transform : nearby) {
+    const Eigen::Vector3d offset = transform.steps.cwiseProduct(step);
+    all += transform.weight;
+    mean += transform.weight * offset;
+    second += transform.weight * offset * offset.transpose();
   }
   mean /= all;
   PoseEstimate estimate;

@@ -16,8 +16,9 @@ struct PoseEstimate {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
 };
 
-/// Mean and spread of the transforms about `best`, up to four cells and three heading steps away,
-/// each weighing exp(sharpness * score). Sharpness [1 / score], >= 0.
+/// Mean and spread of the transforms about `best`, up to four cells and three heading steps away
+/// where they count for anything, each weighing exp(sharpness * score). Sharpness [1 / score], >=
+/// 0.
 PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
                           const LatticeMetric& metric, const SearchWindow& window,
                           const Alignment& best, double cell_size, double sharpness);
