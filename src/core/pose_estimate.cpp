@@ -13,14 +13,19 @@ namespace {
 struct Reach {
   int shift;  ///< [cells]
   int turn;   ///< [heading steps]
+
+  bool covers(int columns, int rows, int turns) const {
+    return std::max(std::abs(columns), std::abs(rows)) <= shift && std::abs(turns) <= turn;
+  }
 };
+constexpr Reach kNowhere{-1, -1};
 constexpr Reach kNear{2, 2};
 /// Between smooth walls the truth may lie several cells from the summit; with less than this the
 /// covariance of such poses is too small.
 constexpr Reach kFar{4, 3};
-/// Where no transform at the rim of what is near weighs so much, what lies beyond it weighs
-/// nothing.
-constexpr double kNegligible = 0.05;
+/// Where no transform at the rim of what is near weighs so much, what lies beyond hardly counts,
+/// and is not looked at: most alignments are sharp.
+constexpr double kLittle = 0.05;
 
 /// A transform of the window, how far from an alignment it is, and what it weighs.
 struct Nearby {
@@ -28,15 +33,18 @@ struct Nearby {
   double weight;
 };
 
-std::vector<Nearby> transformsNear(const Climber& climber, const SearchWindow& window,
-                                   const Alignment& best, const Reach& reach, double sharpness) {
+/// Adds what `to` covers and `from` does not. `score` is that of the alignment, by the metric.
+void addTransforms(const Climber& climber, const SearchWindow& window, const Alignment& best,
+                   double score, double sharpness, const Reach& from, const Reach& to,
+                   std::vector<Nearby>& nearby) {
   std::vector<Alignment> at;
-  std::vector<Nearby> nearby;
-  for (int turn = -reach.turn; turn <= reach.turn; ++turn) {
+  const std::size_t before = nearby.size();
+  for (int turn = -to.turn; turn <= to.turn; ++turn) {
     const int at_turn = window.wrapped(best.turn + turn);
     if (std::abs(at_turn) > window.turns) continue;
-    for (int rows = -reach.shift; rows <= reach.shift; ++rows) {
-      for (int columns = -reach.shift; columns <= reach.shift; ++columns) {
+    for (int rows = -to.shift; rows <= to.shift; ++rows) {
+      for (int columns = -to.shift; columns <= to.shift; ++columns) {
+        if (from.covers(columns, rows, turn)) continue;
         const CellShift shift{best.shift.columns + columns, best.shift.rows + rows};
         if (std::max(std::abs(shift.columns), std::abs(shift.rows)) > window.cells) continue;
         at.push_back({shift, at_turn});
@@ -44,20 +52,17 @@ std::vector<Nearby> transformsNear(const Climber& climber, const SearchWindow& w
       }
     }
   }
-  at.push_back(best);
   climber.evaluate(at.data(), at.size());
-  for (std::size_t i = 0; i < nearby.size(); ++i) {
-    const double lead = at.back().score - at[i].score;
-    nearby[i].weight = std::exp(-std::max(sharpness * lead, 0.0));
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    nearby[before + i].weight = std::exp(-std::max(sharpness * (score - at[i].score), 0.0));
   }
-  return nearby;
 }
 
 bool fadesOut(const std::vector<Nearby>& nearby) {
   return std::none_of(nearby.begin(), nearby.end(), [](const Nearby& transform) {
     const Eigen::Vector3d steps = transform.steps.cwiseAbs();
     const bool at_rim = std::max(steps.x(), steps.y()) >= kNear.shift || steps.z() >= kNear.turn;
-    return at_rim && transform.weight >= kNegligible;
+    return at_rim && transform.weight >= kLittle;
   });
 }
 
@@ -68,8 +73,12 @@ PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
                           const Alignment& best, double cell_size, double sharpness) {
   const Eigen::Vector3d step(cell_size, cell_size, kHeadingStep);
   const Climber climber(query, learned, metric, window);
-  std::vector<Nearby> nearby = transformsNear(climber, window, best, kNear, sharpness);
-  if (!fadesOut(nearby)) nearby = transformsNear(climber, window, best, kFar, sharpness);
+  const double score = climber.evaluate(best.shift, best.turn).score;
+  std::vector<Nearby> nearby;
+  addTransforms(climber, window, best, score, sharpness, kNowhere, kNear, nearby);
+  if (!fadesOut(nearby)) {
+    addTransforms(climber, window, best, score, sharpness, kNear, kFar, nearby);
+  }
   double all = 0.0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();

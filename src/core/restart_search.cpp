@@ -11,9 +11,7 @@ namespace {
 constexpr double kAllClose = 48.0;
 constexpr double kCloseGrowth = 0.75;
 constexpr double kMany = 1000.0;
-/// Of close looks and climbs, beside their own; more where the heading is not known.
-constexpr double kGrowthOfMany = 0.15;
-constexpr double kGrowthOfManyAnyHeading = 0.2;
+constexpr double kGrowthOfMany = 0.2;  ///< of close looks and climbs, beside their own
 /// So many are climbed for, for each turn of the close look; of more or fewer places, a number that
 /// grows less than they do.
 constexpr double kClimbed = 1.0;
@@ -91,8 +89,7 @@ double RestartSearch::timesMany(double growth) const {
 
 std::size_t RestartSearch::grown(double of_few, double growth) const {
   const double times = static_cast<double>(size_) / kAllClose;
-  const double more = window_.circular ? kGrowthOfManyAnyHeading : kGrowthOfMany;
-  return static_cast<std::size_t>(of_few * std::pow(times, growth) * timesMany(more));
+  return static_cast<std::size_t>(of_few * std::pow(times, growth) * timesMany(kGrowthOfMany));
 }
 
 std::size_t RestartSearch::climbed() const {

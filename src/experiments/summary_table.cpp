@@ -146,8 +146,11 @@ Table verdictShareTable(const std::vector<Outcome>& outcomes, const std::string&
       ++all;
       ++of[static_cast<std::size_t>(answer.verdict)];
     }
-    table.add(
-        {kind.name, std::to_string(all), share(of[2], all), share(of[1], all), share(of[0], all)});
+    const auto shareOf = [&](core::Verdict verdict) {
+      return share(of[static_cast<std::size_t>(verdict)], all);
+    };
+    table.add({kind.name, std::to_string(all), shareOf(core::Verdict::kRecognized),
+               shareOf(core::Verdict::kAmbiguous), shareOf(core::Verdict::kUnknown)});
   }
   return table;
 }
