@@ -17,9 +17,8 @@ std::size_t transformsOf(const SearchWindow& window) {
   return static_cast<std::size_t>(transforms);
 }
 
-/// Transforms that are counted at once: those near a summit.
-constexpr std::size_t kTogether =
-    (2 * kAsideCells + 1) * (2 * kAsideCells + 1) * (2 * kAsideTurns + 1);
+/// Transforms that are counted at once.
+constexpr std::size_t kTogether = 16;
 
 double points(std::uint64_t count, double each) {
   return static_cast<double>(static_cast<std::int64_t>(count)) * each;
@@ -142,7 +141,10 @@ void Climber::propose(CellShift shift, int turn) {
   if (std::abs(shift.columns) > window_.cells || std::abs(shift.rows) > window_.cells) return;
   turn = window_.wrapped(turn);
   if (std::abs(turn) > window_.turns || !isNew(shift, turn)) return;
-  proposed_.push_back({shift, turn});
+  // Set where it lies: a copy would wait until its parts are written.
+  Alignment& proposed = proposed_.emplace_back();
+  proposed.shift = shift;
+  proposed.turn = turn;
 }
 
 void Climber::takeBest(Alignment& at) {

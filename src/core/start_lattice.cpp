@@ -51,17 +51,6 @@ void StartLattice::prepare(const QueryPlanes& query, const FixedMetric& metric, 
   }
 }
 
-Alignment StartLattice::start(std::size_t index) const {
-  const auto coordinate = [this](std::size_t i) {
-    return static_cast<int>(i) * look_.cells - most_cells_;
-  };
-  Alignment alignment;
-  alignment.shift.columns = coordinate(index % side_);
-  alignment.shift.rows = coordinate(index / side_ % side_);
-  alignment.turn = first_turn_ + static_cast<int>(index / (side_ * side_)) * look_.turns;
-  return alignment;
-}
-
 void StartLattice::look(const CoarsestBlock& places, LookScores& scores) const {
   const std::size_t shifts = side_ * side_;
   scores.scratch.resize(shifts);
@@ -86,7 +75,9 @@ void StartLattice::bestStarts(const LookScores& scores, std::size_t place, std::
                               std::vector<ScoredStart>& starts) const {
   starts.clear();
   starts.reserve(turns_);
-  for (std::size_t turn = 0; turn < turns_; ++turn) starts.push_back(startOf(scores, turn, place));
+  for (std::size_t turn = 0; turn < turns_; ++turn) {
+    starts.emplace_back() = startOf(scores, turn, place);
+  }
   if (starts.size() <= most) return;
   std::nth_element(starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(most), starts.end(),
                    [](const ScoredStart& a, const ScoredStart& b) {

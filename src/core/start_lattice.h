@@ -45,7 +45,13 @@ class StartLattice {
   std::size_t size() const { return offsets_.size(); }
   std::size_t turns() const { return turns_; }
   /// Its transform; no score.
-  Alignment start(std::size_t index) const;
+  Alignment start(std::size_t index) const {
+    Alignment alignment;
+    alignment.shift.columns = coordinate(index % side_);
+    alignment.shift.rows = coordinate(index / side_ % side_);
+    alignment.turn = first_turn_ + static_cast<int>(index / (side_ * side_)) * look_.turns;
+    return alignment;
+  }
 
   /// Looks at a block of places; scores are beside what belongs to the place.
   void look(const CoarsestBlock& places, LookScores& scores) const;
@@ -59,6 +65,9 @@ class StartLattice {
                   std::vector<ScoredStart>& starts) const;
 
  private:
+  int coordinate(std::size_t index) const {
+    return static_cast<int>(index) * look_.cells - most_cells_;
+  }
   ScoredStart startOf(const LookScores& scores, std::size_t turn, std::size_t place) const;
   void prepare(const QueryPlanes& query, const FixedMetric& metric, std::size_t turn);
 

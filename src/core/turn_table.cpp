@@ -53,6 +53,13 @@ BitPlane turnedByQuarters(BitPlane plane, int quarters) {
   return plane;
 }
 
+CellPlanes turnedByQuarters(const CellPlanes& cells, int quarters) {
+  CellPlanes turned;
+  turned.occupied = turnedByQuarters(cells.occupied, quarters);
+  turned.empty = turnedByQuarters(cells.empty, quarters);
+  return turned;
+}
+
 /// A turn by either way of turning.
 struct StepTable {
   explicit StepTable(double angle) : by_cell(angle), by_window(by_cell.from()) {}
@@ -93,17 +100,17 @@ class TurnedCells {
   std::optional<CellBytes> bytes_;
 };
 
-/// Turns of less than a quarter; the others follow from them by quarter turns, but for those by odd
+/// Turns of less than an eighth; the others follow from them by quarter turns, but for those by odd
 /// eighths, which put cells on the border of two: there, rounding decides.
 struct TurnTables {
   TurnTables() {
-    for (int turn = 0; turn < kQuarter; ++turn) quarter.emplace_back(turn * kHeadingStep);
+    for (int turn = 1 - kEighth; turn < kEighth; ++turn) small.emplace_back(turn * kHeadingStep);
     for (int turn = -kQuarter - kEighth; turn <= kQuarter + kEighth; turn += kQuarter) {
       eighths.emplace_back(turn * kHeadingStep);
     }
   }
 
-  std::vector<StepTable> quarter;
+  std::vector<StepTable> small;
   std::vector<StepTable> eighths;  ///< by -3, -1, 1 and 3 eighths
 };
 
@@ -159,13 +166,6 @@ CellPlanes TurnTable::turn(const CellBytes& cells) const {
   return planes;
 }
 
-CellPlanes turnedByQuarters(const CellPlanes& cells, int quarters) {
-  CellPlanes turned;
-  turned.occupied = turnedByQuarters(cells.occupied, quarters);
-  turned.empty = turnedByQuarters(cells.empty, quarters);
-  return turned;
-}
-
 std::vector<CellPlanes> turnedBySteps(const EvidenceGrid& grid, int turns) {
   static const TurnTables tables;
   const TurnedCells cells(grid);
@@ -175,13 +175,13 @@ std::vector<CellPlanes> turnedBySteps(const EvidenceGrid& grid, int turns) {
     const int index = turn + turns;
     return turned[static_cast<std::size_t>(index)];
   };
-  for (int base = 0; base < kQuarter; ++base) {
-    // base, and what quarter turns make of it.
-    const int first = base - (base + turns) / kQuarter * kQuarter;
-    if (first > turns) continue;
-    const CellPlanes planes = cells.turn(tables.quarter[static_cast<std::size_t>(base)]);
-    for (int turn = first; turn <= turns; turn += kQuarter) {
-      at(turn) = turnedByQuarters(planes, ((turn - base) / kQuarter + 4) % 4);
+  for (int base = 1 - kEighth; base < kEighth; ++base) {
+    if (std::abs(base) > turns) continue;
+    const int index = base + kEighth - 1;
+    at(base) = cells.turn(tables.small[static_cast<std::size_t>(index)]);
+    for (const int quarters : {-2, -1, 1, 2}) {
+      const int turn = base + quarters * kQuarter;
+      if (std::abs(turn) <= turns) at(turn) = turnedByQuarters(at(base), (quarters + 4) % 4);
     }
   }
   for (int i = 0; i < 4; ++i) {

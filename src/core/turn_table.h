@@ -35,9 +35,6 @@ class TurnTable {
   std::array<std::uint16_t, kGridCells> from_;
 };
 
-/// Turned by 0 to 3 times pi / 2, counter-clockwise.
-CellPlanes turnedByQuarters(const CellPlanes& cells, int quarters);
-
 /// The grid turned by -`turns` to `turns` heading steps (kHeadingStep) in [0, kHalfCircle].
 std::vector<CellPlanes> turnedBySteps(const EvidenceGrid& grid, int turns);
 
