@@ -1,5 +1,6 @@
 #include "place_memory/config/load_parameters.h"
 
+#include <set>
 #include <sstream>
 
 #include "place_memory/config/match_preset.h"
@@ -31,8 +32,8 @@ std::string checkOptionalFrame(const std::string& name) {
 std::string checkTopic(const std::string& name) {
   if (name.empty()) return "must not be empty";
   const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-  if ((letters + "/~").find(name.front()) == std::string::npos) {
-    return "must begin with a letter, a slash or a tilde";
+  if ((letters + "/").find(name.front()) == std::string::npos) {
+    return "must begin with a letter or a slash";
   }
   if (name.find_first_not_of(letters + "0123456789_/", 1) != std::string::npos) {
     return "must consist of letters, digits, underscores and slashes";
@@ -42,7 +43,7 @@ std::string checkTopic(const std::string& name) {
 
 void readScan(ParameterReader& reader, ScanOptions& scan) {
   reader.integer("scan/headings", closed(1, 3600), scan.headings);
-  reader.number("scan/step", leftOpen(0.0, core::kPi), scan.step);
+  reader.number("scan/step", closed(kLeastStep, core::kPi), scan.step);
   reader.choice("scan/turn", {{"listen", Turn::kListen}, {"cmd_vel", Turn::kCmdVel}}, scan.turn);
   reader.number("scan/turn_rate", leftOpen(0.0, core::kPi), scan.turn_rate);
   reader.number("scan/timeout", leftOpen(0.0, kLongest), scan.timeout);
@@ -102,6 +103,11 @@ void checkTogether(const Parameters& parameters, std::vector<std::string>& probl
          << "), occupied (" << sonar.occupied << ")";
     problems.push_back(text.str());
   }
+  const std::set<std::string> topics(parameters.sonar_topics.begin(),
+                                     parameters.sonar_topics.end());
+  if (topics.size() < parameters.sonar_topics.size()) {
+    problems.push_back("sonar_topics: a topic is given twice");
+  }
   if (parameters.odom_frame == parameters.base_frame) {
     problems.push_back("odom_frame, base_frame: must not be the same frame");
   }
@@ -116,6 +122,7 @@ Parameters finish(ParameterReader& reader) {
     parameters.match.recognizer.metric = preset.metric;
     parameters.match.recognizer.second_look = preset.second_look;
     parameters.match.recognizer.calibration = preset.calibration;
+    parameters.match.recognizer.located = !parameters.odom_frame.empty();
   } catch (const ParameterError& error) {
     problems.insert(problems.end(), error.problems().begin(), error.problems().end());
   }

@@ -41,7 +41,6 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   std::vector<std::string> problems;
   if (!root.IsMap()) throw ParameterError({source + ": must be a table"});
   takeWeights(root, "weights", "weights (" + source + ")", preset.metric.weights, problems);
-  if (!root["calibration"]) problems.push_back("calibration (" + source + "): is missing");
   core::SecondLook look;
   YAML::Node second = root["second_look"];
   if (second && second.IsMap()) {
@@ -52,26 +51,31 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   ParameterReader reader;
   reader.add(root, source);
   const Interval any{-1000.0, 1000.0, true, true};
+  // Half a table would be filled up with numbers that do not belong to it.
+  const auto needed = [&](const std::string& name, const Interval& interval, double& value) {
+    if (!reader.has(name)) problems.push_back(name + " (" + source + "): is missing");
+    reader.number(name, interval, value);
+  };
   reader.number("shift_cost", {0.0, 1e6, true, true}, preset.metric.shift_cost);
   reader.flag("overlap_only", preset.metric.overlap_only);
   reader.number("turn_cost", {0.0, 1e6, true, true}, preset.metric.turn_cost);
   if (second) {
-    reader.number("second_look/first", {0.0, 1000.0, true, true}, look.first);
+    needed("second_look/first", {0.0, 1000.0, true, true}, look.first);
     for (std::size_t i = 0; i < core::kNearCells; ++i) {
-      reader.number(std::string("second_look/") + core::kNearCellsNames[i], any, look.near[i]);
+      needed(std::string("second_look/") + core::kNearCellsNames[i], any, look.near[i]);
     }
-    reader.number("second_look/beside", any, look.beside);
-    reader.number("second_look/turned", any, look.turned);
+    needed("second_look/beside", any, look.beside);
+    needed("second_look/turned", any, look.turned);
     preset.second_look = look;
   }
   core::Calibration& calibration = preset.calibration;
-  reader.number("calibration/scale", {0.0, 1000.0, false, true}, calibration.scale);
+  needed("calibration/scale", {0.0, 1000.0, false, true}, calibration.scale);
   for (std::size_t i = 0; i < core::kSupportNames.size(); ++i) {
     const std::string name = core::kSupportNames[i];
-    reader.number("calibration/right/" + name, any, calibration.right[i]);
-    reader.number("calibration/known/" + name, any, calibration.known[i]);
+    needed("calibration/right/" + name, any, calibration.right[i]);
+    needed("calibration/known/" + name, any, calibration.known[i]);
   }
-  reader.number("calibration/sharpness", {0.0, 1000.0, true, true}, calibration.sharpness);
+  needed("calibration/sharpness", {0.0, 1000.0, true, true}, calibration.sharpness);
   const std::vector<std::string> more = reader.problems();
   problems.insert(problems.end(), more.begin(), more.end());
   if (!problems.empty()) throw ParameterError(problems);

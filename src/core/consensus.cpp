@@ -9,9 +9,9 @@ namespace {
 constexpr double kSameSpot = 3.5;                    ///< [cells]
 constexpr double kSameHeading = 25.0 * kPi / 180.0;  ///< [rad]
 
-bool agree(const Pose2d& a, const Pose2d& b, double cell_size) {
-  return std::hypot(a.x - b.x, a.y - b.y) <= kSameSpot * cell_size &&
-         std::abs(wrapAngle(a.yaw - b.yaw)) <= kSameHeading;
+bool agree(const std::optional<Pose2d>& a, const std::optional<Pose2d>& b, double cell_size) {
+  return a && b && std::hypot(a->x - b->x, a->y - b->y) <= kSameSpot * cell_size &&
+         std::abs(wrapAngle(a->yaw - b->yaw)) <= kSameHeading;
 }
 
 }  // namespace

@@ -50,15 +50,16 @@ void lookAgain(const QueryPlanes& query, const PlaceIndex& places, const Lattice
   });
 }
 
-Consensus consensusOf(const std::vector<PlaceAlignment>& all, double cell_size) {
+Consensus consensusOf(const std::vector<PlaceAlignment>& all, bool located, double cell_size) {
   std::vector<Opinion> opinions;
   const std::size_t heard = std::min(all.size(), kHeard);
   opinions.reserve(heard);
   for (std::size_t i = 0; i < heard; ++i) {
     const PlaceAlignment& found = all[i];
     const Pose2d place_from_scan = poseOf(found.alignment, cell_size);
-    opinions.push_back({found.alignment.score, std::hypot(place_from_scan.x, place_from_scan.y),
-                        found.entry->map_from_place * place_from_scan});
+    opinions.push_back(
+        {found.alignment.score, std::hypot(place_from_scan.x, place_from_scan.y), std::nullopt});
+    if (located) opinions.back().map_from_scan = found.entry->map_from_place * place_from_scan;
   }
   return findConsensus(opinions, cell_size);
 }
@@ -108,7 +109,7 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
       searchPlaces(query, places, metric, window, options_.method, cancelled);
   if (all.empty()) return {};
   if (options_.second_look) lookAgain(query, places, metric, window, *options_.second_look, all);
-  const Consensus consensus = consensusOf(all, cell_size);
+  const Consensus consensus = consensusOf(all, options_.located, cell_size);
   const auto chosen = all.begin() + static_cast<std::ptrdiff_t>(consensus.chosen);
   std::rotate(all.begin(), chosen, chosen + 1);
 

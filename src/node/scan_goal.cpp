@@ -13,8 +13,8 @@ std::optional<ScanRequest> readGoal(const ScanPlaceGoal& goal, const config::Sca
   const double timeout = goal.timeout.toSec();
   if (goal.headings > kMostHeadings) {
     problem = "headings must be at most 3600, not " + std::to_string(goal.headings);
-  } else if (!(goal.step >= 0.0 && goal.step <= core::kPi)) {
-    problem = "step must be in (0, pi] rad, or 0, not " + std::to_string(goal.step);
+  } else if (goal.step != 0.0 && !(goal.step >= config::kLeastStep && goal.step <= core::kPi)) {
+    problem = "step must be in [0.001, pi] rad, or 0, not " + std::to_string(goal.step);
   } else if (goal.turn > ScanPlaceGoal::TURN_CMD_VEL) {
     problem = "turn must be one of TURN_..., not " + std::to_string(goal.turn);
   } else if (!(timeout >= 0.0 && timeout <= kLongest)) {

@@ -176,8 +176,8 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"scan: {headings: 0}", "must be in [1, 3600]"},
         Malformed{"scan: {headings: 3601}", "must be in [1, 3600]"},
         Malformed{"scan: {headings: 2.5}", "must be a whole number, not '2.5'"},
-        Malformed{"scan: {step: 0.0}", "must be in (0, 3.14159]"},
-        Malformed{"scan: {step: 3.2}", "must be in (0, 3.14159]"},
+        Malformed{"scan: {step: 0.0}", "must be in [0.001, 3.14159]"},
+        Malformed{"scan: {step: 3.2}", "must be in [0.001, 3.14159]"},
         Malformed{"scan: {turn: left}", "must be one of listen, cmd_vel, not 'left'"},
         Malformed{"scan: {turn: true}", "must be a text, not 'true'"},
         Malformed{"scan: {turn_rate: -0.2}", "must be in (0, 3.14159]"},
@@ -205,7 +205,14 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"sonar_topics: [so nar]", "must consist of letters"},
         Malformed{"sonar_topics: ['']", "must not be empty"},
         Malformed{"heading_topic: 0heading", "must begin with a letter"},
+        Malformed{"heading_topic: ~heading", "must begin with a letter"},
+        Malformed{"sonar_topics: [sonar, sonar]", "a topic is given twice"},
         Malformed{"store: [a]", "must be a text, not a list"}));
+
+TEST(LoadParameters, WithoutOdometryPlacesHaveNoLocation) {
+  EXPECT_TRUE(parse("odom_frame: odom").match.recognizer.located);
+  EXPECT_FALSE(parse("odom_frame: ''").match.recognizer.located);
+}
 
 TEST(MatchPreset, PaperIsOnePointForEachPairOfTheSameClass) {
   EXPECT_EQ(loadPreset("paper").metric.weights, core::kPaperWeights);
@@ -224,50 +231,75 @@ TEST(MatchPreset, BuiltInPresetsAreTheFiles) {
   }
 }
 
-class MalformedPreset : public testing::TestWithParam<const char*> {};
+/// The shipped preset with one node set anew, or left out.
+struct PresetEdit {
+  std::vector<std::string> path;
+  const char* value;    ///< nullptr: left out
+  const char* problem;  ///< begins with what is complained of
+};
 
-TEST_P(MalformedPreset, IsRefused) {
+void PrintTo(const PresetEdit& edit, std::ostream* out) { *out << edit.problem; }
+
+void apply(const PresetEdit& edit, YAML::Node node) {
+  for (std::size_t i = 0; i + 1 < edit.path.size(); ++i) node.reset(node[edit.path[i]]);
+  if (edit.value == nullptr) {
+    node.remove(edit.path.back());
+  } else {
+    node[edit.path.back()] = YAML::Load(edit.value);
+  }
+}
+
+class MalformedPreset : public testing::TestWithParam<PresetEdit> {};
+
+TEST_P(MalformedPreset, IsRefusedWithTheReason) {
   const TemporaryFolder folder;
-  writeFile(folder.file("preset"), GetParam());
-  EXPECT_THROW(loadPreset(folder.file("preset")), ParameterError);
+  const YAML::Node preset = YAML::LoadFile(PLACE_MEMORY_SOURCE_DIR "/config/presets/evidence.yaml");
+  apply(GetParam(), preset);
+  writeFile(folder.file("preset"), YAML::Dump(preset));
+  std::vector<std::string> problems{"none"};
+  try {
+    loadPreset(folder.file("preset"));
+  } catch (const ParameterError& error) {
+    problems = error.problems();
+  }
+  EXPECT_EQ(problems.front().find(GetParam().problem), 0U) << problems.front();
 }
 
 INSTANTIATE_TEST_SUITE_P(
     MatchPreset, MalformedPreset,
-    testing::Values(
-        "", "[", "evidence", "weights: 1", "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
-        "calibration: {scale: 0.1, right: {bias: 1}}",
-        "weights: [[1, 0, 0], [0, 1, 0]]\ncalibration: {scale: 0.1, right: {bias: 1}}",
-        "weights: [[1, 0], [0, 1], [0, 0]]\ncalibration: {scale: 0.1, right: {bias: 1}}",
-        "weights: [[1, 0, x], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1, right: {bias: 1}}",
-        "weights: [[1, 0, .nan], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1, right: {bias: 1}}",
-        "weights: [[1, 0, 2000], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1, right: {bias: 1}}",
-        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0}",
-        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1, strangers: 1}",
-        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1, bias: 1}",
-        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1, right: 3}",
-        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1, known: {bias: 2000}}",
-        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1}\nsecond_look: 3",
-        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1}\nsecond_look: {first: 1}",
-        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1}\n"
-        "second_look: {first: -1, inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}",
-        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1}\n"
-        "second_look: {nearest: 1, inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]]}",
-        "weights: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
-        "calibration: {scale: 0.1}\n"
-        "second_look: {inner: [[0, 0, 0], [0, 0, 0], [0, 0, 0]], middle: 3}"));
+    testing::Values(PresetEdit{{"weights"}, nullptr, "weights"},
+                    PresetEdit{{"weights"}, "1", "weights"},
+                    PresetEdit{{"weights"}, "[[1, 0, 0], [0, 1, 0]]", "weights"},
+                    PresetEdit{{"weights"}, "[[1, 0], [0, 1], [0, 0]]", "weights"},
+                    PresetEdit{{"weights"}, "[[1, 0, x], [0, 1, 0], [0, 0, 1]]", "weights"},
+                    PresetEdit{{"weights"}, "[[1, 0, .nan], [0, 1, 0], [0, 0, 1]]", "weights"},
+                    PresetEdit{{"weights"}, "[[1, 0, 2000], [0, 1, 0], [0, 0, 1]]", "weights"},
+                    PresetEdit{{"shift_cost"}, "-1", "shift_cost"},
+                    PresetEdit{{"turn_cost"}, "many", "turn_cost"},
+                    PresetEdit{{"overlap_only"}, "1", "overlap_only"},
+                    PresetEdit{{"calibration"}, nullptr, "calibration/scale"},
+                    PresetEdit{{"calibration", "scale"}, nullptr, "calibration/scale"},
+                    PresetEdit{{"calibration", "scale"}, "0", "calibration/scale"},
+                    PresetEdit{{"calibration", "strangers"}, "1", "calibration/strangers"},
+                    PresetEdit{{"calibration", "right"}, "3", "calibration/right"},
+                    PresetEdit{{"calibration", "right", "bias"}, nullptr, "calibration/right/bias"},
+                    PresetEdit{{"calibration", "known", "lead"}, nullptr, "calibration/known/lead"},
+                    PresetEdit{{"calibration", "known", "bias"}, "2000", "calibration/known/bias"},
+                    PresetEdit{{"calibration", "sharpness"}, nullptr, "calibration/sharpness"},
+                    PresetEdit{{"second_look"}, "3", "second_look"},
+                    PresetEdit{{"second_look", "first"}, "-1", "second_look/first"},
+                    PresetEdit{{"second_look", "nearest"}, "1", "second_look/nearest"},
+                    PresetEdit{{"second_look", "inner"}, nullptr, "second_look/inner"},
+                    PresetEdit{{"second_look", "middle"}, "3", "second_look/middle"},
+                    PresetEdit{{"second_look", "turned"}, nullptr, "second_look/turned"}));
+
+TEST(MatchPreset, WhatIsNoTableIsRefused) {
+  const TemporaryFolder folder;
+  for (const char* text : {"", "[", "evidence"}) {
+    writeFile(folder.file("preset"), text);
+    EXPECT_THROW(loadPreset(folder.file("preset")), ParameterError) << text;
+  }
+}
 
 }  // namespace
 }  // namespace place_memory::config

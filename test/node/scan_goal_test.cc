@@ -49,7 +49,8 @@ TEST(ReadGoal, RefusesEachFieldOutOfRange) {
   goal.headings = 3601;
   expectRefused(goal, "headings");
   goal = ScanPlaceGoal();
-  for (const double step : {-0.1, 3.2, std::nan(""), std::numeric_limits<double>::infinity()}) {
+  for (const double step :
+       {-0.1, 1e-9, 3.2, std::nan(""), std::numeric_limits<double>::infinity()}) {
     goal.step = step;
     expectRefused(goal, "step");
   }

@@ -31,6 +31,8 @@ class ParameterReader {
   /// they stand.
   void add(const YAML::Node& table, const std::string& source);
 
+  bool has(const std::string& name) const { return entries_.count(name) != 0; }
+
   void number(const std::string& name, const Interval& interval, double& value);
   void integer(const std::string& name, const Interval& interval, int& value);
   void flag(const std::string& name, bool& value);

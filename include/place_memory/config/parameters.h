@@ -18,6 +18,9 @@ enum class Turn {
   kCmdVel,  ///< the node, through cmd_vel
 };
 
+/// The least ScanOptions::step [rad].
+constexpr double kLeastStep = 0.001;
+
 /// How a scan is taken (paper 3.1.4). config/place_memory.yaml says more of each.
 struct ScanOptions {
   int headings = 11;

@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_CORE_CONSENSUS_H
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "place_memory/core/pose2d.h"
@@ -11,8 +12,10 @@ namespace place_memory::core {
 /// Where one place's alignment puts the robot.
 struct Opinion {
   double score = 0.0;
-  double shift = 0.0;    ///< of the alignment: how far from the place the robot would stand [m]
-  Pose2d map_from_scan;  ///< the pose of the scan frame that follows
+  double shift = 0.0;  ///< of the alignment: how far from the place the robot would stand [m]
+  /// The pose of the scan frame that follows; none: where the place lies is not known, and it
+  /// contradicts every other.
+  std::optional<Pose2d> map_from_scan;
 };
 
 /// So many opinions are heard at the most.

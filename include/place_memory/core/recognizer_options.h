@@ -24,6 +24,9 @@ struct RecognizerOptions {
   Calibration calibration;
   double position_window = 1.2;  ///< largest shift sought along x and along y [m], > 0
   double confidence = 0.82;      ///< probability from which a place is RECOGNIZED, in (0.5, 1)
+  /// False: where places lie is not known, as without odometry, and says nothing of which of them
+  /// put the robot at the same spot.
+  bool located = true;
 };
 
 }  // namespace place_memory::core

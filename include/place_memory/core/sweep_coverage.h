@@ -13,7 +13,7 @@ namespace place_memory::core {
 /// Headings are counted from that of the first reading, in both directions.
 class SweepCoverage {
  public:
-  /// `headings` >= 1; `step` between them [rad], in (0, pi].
+  /// `headings` >= 1; `step` between them [rad], in [0.001, pi].
   SweepCoverage(int headings, double step);
 
   /// A reading of a sensor was used, while the robot's base was at this yaw [rad].
