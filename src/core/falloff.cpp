@@ -1,5 +1,6 @@
 #include "place_memory/core/falloff.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdlib>
@@ -23,16 +24,19 @@ double meanChange(const Alignment* begin, const Alignment* end, double from) {
 
 Falloff falloffAt(const QueryPlanes& query, const CellPlanes& learned, const LatticeMetric& metric,
                   const SearchWindow& window, const Alignment& at) {
-  const CellShift s = at.shift;
-  std::array<Alignment, 6> near{{{{s.columns - kBeside, s.rows}, at.turn},
-                                 {{s.columns + kBeside, s.rows}, at.turn},
-                                 {{s.columns, s.rows - kBeside}, at.turn},
-                                 {{s.columns, s.rows + kBeside}, at.turn}}};
-  Alignment* const turned = near.data() + 4;
-  Alignment* end = turned;
+  std::array<Alignment, 6> near;
+  Alignment* end = near.data();
+  const auto tryShift = [&](int columns, int rows) {
+    const CellShift shift{at.shift.columns + columns, at.shift.rows + rows};
+    if (std::max(std::abs(shift.columns), std::abs(shift.rows)) < kGridSize)
+      *end++ = {shift, at.turn};
+  };
+  for (const int by : {-kBeside, kBeside}) tryShift(by, 0);
+  for (const int by : {-kBeside, kBeside}) tryShift(0, by);
+  Alignment* const turned = end;
   for (const int by : {-kTurned, kTurned}) {
     const int turn = window.wrapped(at.turn + by);
-    if (std::abs(turn) <= window.turns) *end++ = {s, turn};
+    if (std::abs(turn) <= window.turns) *end++ = {at.shift, turn};
   }
   Climber(query, learned, metric, window)
       .evaluate(near.data(), static_cast<std::size_t>(end - near.data()));

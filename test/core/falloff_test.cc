@@ -47,6 +47,15 @@ TEST_F(FalloffAt, AtTheEdgeOfTheHeadingWindowOneTurnIsLeft) {
   EXPECT_NEAR(at(10).turned, change({1, -1}, 8, 10), 1e-9);
 }
 
+TEST_F(FalloffAt, AtTheLargestShiftNothingBeyondItIsAsked) {
+  window.cells = kGridSize - 1;
+  const Alignment corner{{kGridSize - 1, 1 - kGridSize}, 3, 0.0};
+  const double inwards = (scoreOf(query(), learned, metric, {kGridSize - 3, 1 - kGridSize}, 3) +
+                          scoreOf(query(), learned, metric, {kGridSize - 1, 3 - kGridSize}, 3)) /
+                         2.0;
+  EXPECT_NEAR(falloffAt(query(), learned, metric, window, corner).beside, inwards, 1e-9);
+}
+
 TEST_F(FalloffAt, WithoutTurnsThereIsNone) {
   window.turns = 0;
   EXPECT_EQ(at(0).turned, 0.0);
