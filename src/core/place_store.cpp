@@ -6,6 +6,7 @@
 #include "place_memory/core/place_label.h"
 #include "sqlite.h"
 #include "store_file.h"
+#include "store_migration.h"
 #include "store_rows.h"
 
 namespace place_memory::core {
@@ -62,6 +63,7 @@ PlaceStore::PlaceStore(const std::string& path, double cell_size, const StoreOpe
   StoreFile file = openStoreFile(path, opening);
   database_ = std::move(file.database);
   checkCellSize(*database_, cell_size, file.checked);
+  if (file.old) addPlanesToStore(*database_, progress_);
 }
 
 PlaceStore::~PlaceStore() = default;

@@ -151,6 +151,9 @@ StoreFile openFile(const std::string& path, const StoreOpening& opening) {
   StoreFile file;
   file.checked = size <= opening.full_check_size || !ended_well || version < kSchemaVersion;
   file.database = std::make_unique<SqliteDatabase>(path, false);
+  // SQLite opens what it may not write for reading, so a change is tried and taken back.
+  file.database->execute("BEGIN EXCLUSIVE; PRAGMA user_version = " + std::to_string(version) +
+                         "; ROLLBACK");
   file.database->execute("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; COMMIT");
   if (file.checked) {
     if (opening.progress && size > opening.full_check_size) {
@@ -158,7 +161,7 @@ StoreFile openFile(const std::string& path, const StoreOpening& opening) {
     }
     checkContent(*file.database, version);
   }
-  if (version < kSchemaVersion) addPlanesToStore(*file.database, opening.progress);
+  file.old = version < kSchemaVersion;
   return file;
 }
 

@@ -12,11 +12,12 @@ namespace place_memory::core {
 struct StoreFile {
   std::unique_ptr<SqliteDatabase> database;
   bool checked = true;  ///< in full; otherwise what is read has to be checked as it is read
+  bool old = false;     ///< of an older version, checked in full: addPlanesToStore() renews it
 };
 
-/// Opens and locks a store's file, or creates it where there is none; "" stands for memory. A store
-/// of an older version becomes one of this version. Throws StoreError where it is not a sound store
-/// of a version that is known; the file is then as it was.
+/// Opens and locks a store's file, or creates it where there is none; "" stands for memory. Throws
+/// StoreError where it is not a sound store of a version that is known, or cannot be written; the
+/// file is then as it was.
 StoreFile openStoreFile(const std::string& path, const StoreOpening& opening);
 
 }  // namespace place_memory::core

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <functional>
 #include <iterator>
+#include <optional>
 
 #include "random_scan.h"
 #include "temporary_folder.h"
@@ -312,6 +314,9 @@ const Damage kDamages[] = {
     {"ShortGridOfFormat1",
      sql(std::string(kToFormat1) + "UPDATE grid SET cells = x'00' WHERE place_id = 2"), "damaged"},
     {"OtherCellSize", sql("UPDATE grid SET cell_size = 0.2 WHERE place_id = 2"), "cells of 0.2"},
+    {"OtherCellSizeOfFormat1",
+     sql(std::string(kToFormat1) + "UPDATE grid SET cell_size = 0.2 WHERE place_id = 2"),
+     "cells of 0.2"},
 };
 
 class DamagedStoreTest : public PlaceStoreTest, public testing::WithParamInterface<Damage> {};
@@ -399,6 +404,31 @@ TEST_F(LargeStoreTest, IsCheckedInFullWhereItsLastUserDidNotEndWell) {
   writeFile(path_ + "-journal", "");
   EXPECT_THROW(openLarge(), StoreError);
   EXPECT_NE(said_.find("checking"), std::string::npos) << said_;
+}
+
+/// While it lives files are reached as by a user who owns none of them; root may write everything.
+class AsNobody {
+ public:
+  AsNobody() { EXPECT_EQ(seteuid(65534), 0); }
+  ~AsNobody() { EXPECT_EQ(seteuid(0), 0); }
+};
+
+TEST_F(PlaceStoreTest, RefusesAFileThatCannotBeWritten) {
+  fill();
+  fs::permissions(path_, fs::perms(0444));
+  fs::permissions(folder_.path(), fs::perms(0555));
+  std::optional<AsNobody> nobody;
+  if (geteuid() == 0) nobody.emplace();
+  EXPECT_THROW(open(), StoreError);
+  nobody.reset();
+  fs::permissions(folder_.path(), fs::perms(0755));
+}
+
+TEST_F(PlaceStoreTest, AFileThatIsOnlyReadStaysAsItIs) {
+  fill();
+  const std::string before = readFile(path_);
+  open().graph();
+  EXPECT_EQ(readFile(path_), before);
 }
 
 TEST_F(PlaceStoreTest, RefusesAFolder) {

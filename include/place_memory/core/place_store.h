@@ -28,7 +28,7 @@ using StoreProgress = std::function<void(const std::string& sentence)>;
 
 struct StoreOpening {
   /// A store that is no larger is read and checked from end to end when it is opened [bytes]: about
-  /// fifty thousand places in a second. So is one whose last user did not end in good order, as
+  /// 48 000 places in a second. So is one whose last user did not end in good order, as
   /// with power that fails. Of a larger one each row is checked when it is read.
   std::uintmax_t full_check_size = std::uintmax_t{256} << 20U;
   StoreProgress progress;  ///< may be null
