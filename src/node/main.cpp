@@ -1,37 +1,59 @@
 #include <ros/callback_queue.h>
+#include <ros/console.h>
 #include <ros/init.h>
+#include <ros/xmlrpc_manager.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <string>
 
 #include "place_memory/node/parameter_server.h"
 #include "place_memory/node/place_memory_node.h"
 
 namespace {
 
-volatile std::sig_atomic_t stop_requested = 0;
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
-void requestStop(int /*signal*/) { stop_requested = 1; }
+void onSignal(int /*signal*/) { stop_requested = true; }
+
+/// As `rosnode kill` asks, or a newer node of this name.
+void onShutdown(XmlRpc::XmlRpcValue& parameters, XmlRpc::XmlRpcValue& result) {
+  if (parameters.getType() == XmlRpc::XmlRpcValue::TypeArray && parameters.size() > 1 &&
+      parameters[1].getType() == XmlRpc::XmlRpcValue::TypeString) {
+    ROS_WARN("asked to end: %s", static_cast<std::string>(parameters[1]).c_str());
+  }
+  stop_requested = true;
+  result = ros::xmlrpc::responseInt(1, "", 0);
+}
+
+/// roscpp's own handlers shut down before the robot could be told to stop turning. These are set
+/// only now: a constructor that waits, as for a master, ends with the signal.
+void handleStops() {
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
+  ros::XMLRPCManager::instance()->unbind("shutdown");
+  ros::XMLRPCManager::instance()->bind("shutdown", onShutdown);
+}
 
 void run() {
   const ros::NodeHandle names;
   const ros::NodeHandle private_names("~");
   place_memory::node::PlaceMemoryNode node(
       names, private_names, place_memory::node::readPrivateParameters(private_names));
+  handleStops();
   const ros::WallDuration poll(0.1);
-  while (ros::ok() && stop_requested == 0) ros::getGlobalCallbackQueue()->callAvailable(poll);
+  while (ros::ok() && !stop_requested) ros::getGlobalCallbackQueue()->callAvailable(poll);
   node.stop();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  // roscpp's own handler shuts down before the robot could be told to stop turning.
   ros::init(argc, argv, "place_memory", ros::init_options::NoSigintHandler);
-  std::signal(SIGINT, requestStop);
-  std::signal(SIGTERM, requestStop);
   try {
     run();
   } catch (const std::exception& error) {

@@ -89,14 +89,11 @@ void ScanCollector::addHeading(const sensor_msgs::Imu& message, const ros::Time&
 void ScanCollector::addRange(const sensor_msgs::Range& message, const ros::Time& received) {
   const ros::Time& stamp = message.header.stamp;
   const std::string& frame = message.header.frame_id;
-  health_.noteMessage(message);
+  health_.noteMessage(message, received);
   const CheckedRange checked = checkRange(message, parameters_.scan.over_range_is_no_echo);
-  if (checked.reject != Reject::kNoStamp) {
-    const ros::Time newest = std::min(stamp, latestCredible(received));
-    const core::TimeOrder order =
-        core::timeOrder(toNanoseconds(newest), toNanoseconds(newest_range_));
-    if (order == core::TimeOrder::kBackwards) timeRanBackwards(frame);
-    if (order != core::TimeOrder::kLate) newest_range_ = newest;
+  const auto credible = toNanoseconds(std::min(stamp, latestCredible(received)));
+  if (!stamp.isZero() && newest_stamps_.note(frame, credible) == core::TimeOrder::kBackwards) {
+    timeRanBackwards(frame);
   }
   const bool of_scan = collecting() && !closed_ && (stamp >= start_ || stamp.isZero());
   if (checked.reject) {
@@ -109,12 +106,16 @@ void ScanCollector::addRange(const sensor_msgs::Range& message, const ros::Time&
                              checked.spec, checked.range});
 }
 
-void ScanCollector::timeRanBackwards(const std::string& source) {
-  time_jump_ = true;
+void ScanCollector::forgetTime() {
   history_.clear();
-  newest_range_ = ros::Time();
+  newest_stamps_.clear();
   pending_ranges_.clear();
   pending_headings_.clear();
+}
+
+void ScanCollector::timeRanBackwards(const std::string& source) {
+  time_jump_ = true;
+  forgetTime();
   fail(ScanStatus::kTimeJump,
        "time ran backwards in the messages of " + source + ": the scan is dropped; scan again");
 }
@@ -185,8 +186,9 @@ void ScanCollector::use(const std::string& frame, const Placed& reading) {
 bool ScanCollector::jumped(const Placed& reading) const {
   if (placed_.empty()) return false;
   const Placed& last = placed_.back();
+  // ros::Duration would not hold how far a wrong stamp may be off.
   return core::odometryJumped(last.base, reading.base,
-                              std::abs((reading.stamp - last.stamp).toSec()));
+                              std::abs(reading.stamp.toSec() - last.stamp.toSec()));
 }
 
 void ScanCollector::process(const ros::Time& now) {
@@ -235,6 +237,19 @@ std::optional<double> ScanCollector::compassMinusFixed() const {
   return *heading - placed_.front().base.yaw;
 }
 
+core::Pose2d ScanCollector::baseAtEnd(const ros::Time& end) const {
+  std::string problem;
+  if (const auto base = basePose(end, problem)) return *base;
+  // Odometry is a little older than the clock, and the robot may have turned since the last
+  // reading.
+  ros::Time stamp;
+  if (usesOdometry()) {
+    const auto base = lookupNewest(buffer_, parameters_.odom_frame, parameters_.base_frame, stamp);
+    if (base && stamp >= placed_.back().stamp) return base->pose;
+  }
+  return placed_.back().base;
+}
+
 std::optional<core::Scan> ScanCollector::snapshot(const ros::Time& end) const {
   if (placed_.empty()) return std::nullopt;
   const std::optional<double> offset = compassMinusFixed();
@@ -243,7 +258,6 @@ std::optional<core::Scan> ScanCollector::snapshot(const ros::Time& end) const {
   const core::Pose2d& origin = placed_.front().base;
   const core::Pose2d fixed_from_scan{origin.x, origin.y, -*offset};
   const core::Pose2d scan_from_fixed = fixed_from_scan.inverse();
-  std::string problem;
   core::Scan scan;
   for (const Placed& placed : placed_) {
     core::SonarReading reading = placed.reading;
@@ -252,7 +266,7 @@ std::optional<core::Scan> ScanCollector::snapshot(const ros::Time& end) const {
   }
   scan.grid = model_.build(scan.readings, parameters_.grid);
   scan.map_from_scan = usesOdometry() ? fixed_from_scan : core::Pose2d{};
-  scan.robot_in_scan = scan_from_fixed * basePose(end, problem).value_or(placed_.back().base);
+  scan.robot_in_scan = scan_from_fixed * baseAtEnd(end);
   scan.begin = toNanoseconds(start_);
   scan.end = toNanoseconds(end);
   return scan;

@@ -15,6 +15,7 @@ namespace {
 const ros::WallDuration kUpdatePeriod(0.05);
 const ros::WallDuration kFeedbackPeriod(0.2);
 const ros::WallDuration kPartialPeriod(0.5);
+constexpr double kPartialShare = 20.0;  // partial grids take one part of so many of the time
 
 // A sweep is over when all of its headings were sensed and the sensors have been silent for so
 // long, though not every one of them spoke at the last heading.
@@ -92,7 +93,7 @@ void ScanServer::onGoal(const Server::GoalHandle& goal) {
   goal_ = goal;
   goal_.setAccepted();
   sweep_.emplace();
-  clock_ = ros::Time::now();
+  timeRanBackwards(ros::Time::now());
   clock_changed_ = ros::WallTime::now();
   std::string problem;
   const auto request = readGoal(*goal_.getGoal(), parameters_.scan, problem);
@@ -139,6 +140,7 @@ bool ScanServer::timeRanBackwards(const ros::Time& now) {
   const bool clock_did = now < clock_;
   if (now != clock_) clock_changed_ = ros::WallTime::now();
   clock_ = now;
+  if (clock_did) collector_.forgetTime();
   if (!collector_.takeTimeJump() && !clock_did) return false;
   buffer_.clear();
   ROS_WARN("time ran backwards: transforms of the time before are forgotten, places are kept");
@@ -155,9 +157,7 @@ bool ScanServer::clockStands(const ros::Time& now) {
         now);
     return true;
   }
-  if (!now.isZero()) return false;
-  ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "waiting for simulated time on /clock");
-  return true;
+  return now.isZero();
 }
 
 void ScanServer::start(const ros::Time& now) {
@@ -220,7 +220,7 @@ std::optional<double> ScanServer::yawNow(const ros::Time& now) const {
     if (!base) return std::nullopt;
     yaw = base->pose.yaw;
   }
-  if (now - stamp > ros::Duration(parameters_.scan.heading_timeout)) return std::nullopt;
+  if (now.toSec() - stamp.toSec() > parameters_.scan.heading_timeout) return std::nullopt;
   return yaw;
 }
 
@@ -254,9 +254,11 @@ void ScanServer::report(const ros::Time& now) {
     }
     goal_.publishFeedback(feedback);
   }
-  if (callbacks_.partial && wall - last_partial_ >= kPartialPeriod && collector_.collecting()) {
-    last_partial_ = wall;
+  if (callbacks_.partial && wall >= next_partial_ && collector_.collecting()) {
     if (const auto scan = collector_.snapshot(now)) callbacks_.partial(*scan);
+    // A grid of very many readings takes long, and the robot is steered meanwhile.
+    const ros::WallDuration took = ros::WallTime::now() - wall;
+    next_partial_ = wall + std::max(kPartialPeriod, took * kPartialShare);
   }
 }
 

@@ -18,10 +18,10 @@ SensorHealth& SensorHealthTable::find(const std::string& frame) {
   return sensors_[sensors_.size() < kMaxSensors ? frame : kOthers];
 }
 
-void SensorHealthTable::noteMessage(const sensor_msgs::Range& message) {
+void SensorHealthTable::noteMessage(const sensor_msgs::Range& message, const ros::Time& received) {
   SensorHealth& sensor = find(message.header.frame_id);
   ++sensor.messages;
-  sensor.last_stamp = message.header.stamp;
+  sensor.last_received = received;
   sensor.sensor_problem = checkSensor(message).value_or("");
 }
 

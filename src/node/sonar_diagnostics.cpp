@@ -15,7 +15,7 @@ void summarize(const std::string& frame, const SensorHealth& sensor, const ros::
   }
   const auto rejected =
       std::accumulate(sensor.rejected.begin(), sensor.rejected.end(), std::uint64_t{0});
-  if (now - sensor.last_stamp > kSensorSilence) {
+  if (now - sensor.last_received > kSensorSilence) {
     status.mergeSummary(Level::WARN, frame + ": silent");
   } else if (rejected >= sensor.messages) {
     status.mergeSummary(Level::WARN, frame + ": every reading is rejected");

@@ -405,6 +405,49 @@ TEST_F(ScanCollectorTest, OneStampFarAheadDoesNotLookLikeTimeRunningBackwards) {
   EXPECT_EQ(count(collector(), Reject::kNoOdometry), 1U);
 }
 
+TEST_F(ScanCollectorTest, ABadMessageWithoutAStampDoesNotLookLikeTimeRunningBackwards) {
+  begin();
+  range(kStart + 10.0, 0, 1.0);
+  sensor_msgs::Range bad;
+  bad.header.frame_id = frame(0);
+  collector().addRange(bad, ros::Time(kStart + 10.0));
+  EXPECT_FALSE(collector().failure());
+}
+
+TEST_F(ScanCollectorTest, ASensorWhoseClockIsBehindDoesNotLookLikeTimeRunningBackwards) {
+  begin();
+  range(kStart + 10.0, 0, 1.0);
+  range(kStart + 5.0, 1, 1.0);
+  range(kStart + 10.1, 0, 1.0);
+  range(kStart + 5.1, 1, 1.0);
+  EXPECT_FALSE(collector().failure());
+}
+
+TEST_F(ScanCollectorTest, AStampAtTheEndOfTimeEndsNothing) {
+  buffer_.setTransform(transform("odom", "base_link", {}, kStart), "test", true);
+  begin();
+  range(kStart + 0.1, 0, 1.0);
+  sensor_msgs::Range m;
+  m.header.stamp = ros::Time(4294967295U, 0);
+  m.header.frame_id = frame(1);
+  m.field_of_view = 0.4F;
+  m.max_range = 4.0F;
+  m.range = 1.0F;
+  collector().addRange(m, ros::Time(kStart + 0.2));
+  process(kStart + 1.0);
+  EXPECT_FALSE(collector().failure());
+}
+
+TEST_F(ScanCollectorTest, TheRobotIsWhereNewestOdometryHasItWhenTheScanEnds) {
+  begin();
+  turnAndSense(0.0, 0.0);
+  odometry(kStart + 3.0, {3.0, -1.0, 0.1});  // it has turned back
+  process(kStart + 3.02);
+  const ScanOutcome outcome = collector().outcome(ros::Time(kStart + 3.02));
+  ASSERT_TRUE(outcome.scan) << outcome.message;
+  EXPECT_NEAR(outcome.scan->robot_in_scan.yaw, 0.1, 1e-6);
+}
+
 TEST_F(ScanCollectorTest, ASnapshotGrowsIntoTheScan) {
   begin();
   EXPECT_FALSE(collector().snapshot(ros::Time(kStart)));
@@ -430,7 +473,7 @@ TEST(SensorHealthTable, HoldsABoundedNumberOfFrames) {
   sensor_msgs::Range m;
   for (std::size_t i = 0; i < 10 * SensorHealthTable::kMaxSensors; ++i) {
     m.header.frame_id = "frame_" + std::to_string(i);
-    table.noteMessage(m);
+    table.noteMessage(m, ros::Time(kStart));
   }
   EXPECT_EQ(table.sensors().size(), SensorHealthTable::kMaxSensors + 1);
 }
@@ -440,11 +483,11 @@ TEST(SensorHealthTable, KeepsWhatIsWrongWithASensor) {
   sensor_msgs::Range m;
   m.header.frame_id = "sonar_0";
   m.field_of_view = -1.0F;
-  table.noteMessage(m);
+  table.noteMessage(m, ros::Time(kStart));
   EXPECT_NE(table.sensors().at("sonar_0").sensor_problem, "");
   m.field_of_view = 0.4F;
   m.max_range = 1.0F;
-  table.noteMessage(m);
+  table.noteMessage(m, ros::Time(kStart));
   EXPECT_EQ(table.sensors().at("sonar_0").sensor_problem, "");
 }
 

@@ -11,7 +11,7 @@ using Sensors = std::map<std::string, SensorHealth>;
 SensorHealth sound() {
   SensorHealth sensor;
   sensor.messages = 10;
-  sensor.last_stamp = ros::Time(99.0);
+  sensor.last_received = ros::Time(99.0);
   return sensor;
 }
 
@@ -37,7 +37,7 @@ TEST(DiagnoseSonars, ASensorWhoseLimitsMakeNoSenseIsAnErrorThatNamesIt) {
 
 TEST(DiagnoseSonars, ASilentSensorIsAWarning) {
   SensorHealth silent = sound();
-  silent.last_stamp = ros::Time(90.0);
+  silent.last_received = ros::Time(90.0);
   const auto status = diagnose({{"a", sound()}, {"rear", silent}});
   EXPECT_EQ(status.level, Level::WARN);
   EXPECT_NE(status.message.find("rear: silent"), std::string::npos) << status.message;

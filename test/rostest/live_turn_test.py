@@ -5,6 +5,7 @@ import math
 import os
 
 from place_memory.msg import ScanPlaceGoal, ScanPlaceResult
+import rosnode
 import rospy
 
 import live_test
@@ -138,11 +139,14 @@ class LiveTurnTest(live_test.LiveTestCase):
         self.assert_stopped(scan, GoalStatus.ABORTED, ScanPlaceResult.TIME_JUMP)
 
     def test_a_node_that_is_stopped_stops_the_robot(self):
-        self.start_node()
-        scan = self.begin_turn_under_way()
-        self.node.process.terminate()
-        self.assert_stopped(scan, GoalStatus.ABORTED, ScanPlaceResult.SHUTDOWN)
-        self.assertEqual(self.node.process.wait(live_test.PATIENCE), 0)
+        for stop in (lambda: self.node.process.terminate(),
+                     lambda: rosnode.kill_nodes([self.node.name])):
+            with self.subTest():
+                self.start_node()
+                scan = self.begin_turn_under_way()
+                stop()
+                self.assert_stopped(scan, GoalStatus.ABORTED, ScanPlaceResult.SHUTDOWN)
+                self.assertEqual(self.node.process.wait(live_test.PATIENCE), 0)
 
     def test_a_node_that_is_killed_leaves_the_robot_to_its_watchdog(self):
         store = os.path.join(self.folder, "places.db")

@@ -24,12 +24,7 @@ constexpr char kRecognizePlaceService[] = "recognize_place";
 constexpr char kListPlacesService[] = "list_places";
 constexpr char kRenamePlaceService[] = "rename_place";
 constexpr char kRemovePlaceService[] = "remove_place";
-constexpr char kAddLinkService[] = "add_link";
-constexpr char kRemoveLinkService[] = "remove_link";
 constexpr char kClearService[] = "clear";
-constexpr char kSaveService[] = "save";
-constexpr char kLoadService[] = "load";
-constexpr char kExportService[] = "export";
 
 }  // namespace place_memory::node
 

@@ -16,6 +16,7 @@
 #include "place_memory/core/scan.h"
 #include "place_memory/core/sonar_model.h"
 #include "place_memory/core/sweep_coverage.h"
+#include "place_memory/node/newest_stamps.h"
 #include "place_memory/node/scan_status.h"
 #include "place_memory/node/sensor_health.h"
 
@@ -45,6 +46,9 @@ class ScanCollector {
   /// remembered, and the health of sensors is noted.
   void addHeading(const sensor_msgs::Imu& message, const ros::Time& received);
   void addRange(const sensor_msgs::Range& message, const ros::Time& received);
+
+  /// Time was set back: what was heard before is of another time.
+  void forgetTime();
 
   /// Places what can be placed by now, and gives up what has waited too long.
   void process(const ros::Time& now);
@@ -105,6 +109,7 @@ class ScanCollector {
   void timeRanBackwards(const std::string& source);
   void processHeadings(const ros::Time& now);
   std::optional<double> compassMinusFixed() const;
+  core::Pose2d baseAtEnd(const ros::Time& end) const;
   ScanOutcome tooFew() const;
   std::string leftOut() const;
 
@@ -114,7 +119,7 @@ class ScanCollector {
 
   core::HeadingHistory history_;
   SensorHealthTable health_;
-  ros::Time newest_range_;
+  NewestStamps newest_stamps_;
   std::string problem_;
   bool time_jump_ = false;
 

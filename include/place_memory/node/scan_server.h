@@ -39,11 +39,11 @@ struct Sweep {
 /// timeout.
 class ScanServer {
  public:
-  /// Called on the server's thread; they must not wait. Any may be empty.
+  /// Called on the server's thread, where nothing should wait long. Any may be empty.
   struct Callbacks {
     std::function<void(std::shared_ptr<const core::Scan>)> finished;  ///< a scan succeeded
-    std::function<void(const core::Scan&)> partial;                   ///< it grows, twice a second
-    std::function<void()> time_jump;  ///< time ran backwards; tf is already cleared
+    std::function<void(const core::Scan&)> partial;  ///< it grows, at most twice a second
+    std::function<void()> time_jump;                 ///< time ran backwards; tf is already cleared
   };
 
   /// `names` resolves relative topics, `private_names` the action. The other arguments must outlive
@@ -93,7 +93,7 @@ class ScanServer {
   ros::Time clock_;
   ros::WallTime clock_changed_;
   ros::WallTime last_feedback_;
-  ros::WallTime last_partial_;
+  ros::WallTime next_partial_;
 
   ros::CallbackQueue queue_;
   ros::NodeHandle names_;

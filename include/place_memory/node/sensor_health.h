@@ -21,7 +21,7 @@ std::string inWords(const RejectCounts& rejected);
 struct SensorHealth {
   std::uint64_t messages = 0;
   RejectCounts rejected{};
-  ros::Time last_stamp;
+  ros::Time last_received;
   std::string sensor_problem;  ///< what is wrong with its limits; empty: nothing
 };
 
@@ -32,7 +32,7 @@ class SensorHealthTable {
   static constexpr std::size_t kMaxSensors = 256;
   static constexpr char kOthers[] = "(other frames)";
 
-  void noteMessage(const sensor_msgs::Range& message);
+  void noteMessage(const sensor_msgs::Range& message, const ros::Time& received);
   void noteReject(const std::string& frame, Reject reject);
 
   const std::map<std::string, SensorHealth>& sensors() const { return sensors_; }
