@@ -1,5 +1,6 @@
 #include "place_memory/sim/simulation.h"
 
+#include <cmath>
 #include <utility>
 
 #include "place_memory/sim/world_changes.h"
@@ -64,7 +65,8 @@ ChangeResult Simulation::setDoor(const std::string& name, bool open) {
 ChangeResult Simulation::moveChair(const std::string& name, const core::Pose2d& pose) {
   World changed = world_;
   if (!sim::moveChair(changed, name, pose)) return ChangeResult::kUnknownName;
-  if (!pose.isFinite()) return ChangeResult::kBlocked;
+  const bool inside = std::abs(pose.x) <= kFarthest && std::abs(pose.y) <= kFarthest;
+  if (!pose.isFinite() || !inside) return ChangeResult::kBlocked;
   return adopt(std::move(changed));
 }
 

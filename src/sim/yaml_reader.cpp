@@ -10,8 +10,6 @@ namespace place_memory::sim {
 
 namespace {
 
-constexpr double kFarthest = 1000.0;  // keeps a slip of the pen from asking for a huge grid [m]
-
 std::string shown(double value) {
   std::string text = std::to_string(value);
   text.erase(text.find_last_not_of('0') + 1);

@@ -85,6 +85,7 @@ TEST(Simulation, RefusesWhatCannotBe) {
   EXPECT_EQ(simulation.moveChair("none", {}), ChangeResult::kUnknownName);
   EXPECT_EQ(simulation.removeWhiteboard("none"), ChangeResult::kUnknownName);
   EXPECT_EQ(simulation.moveChair(chair, {nan, 0.0, 0.0}), ChangeResult::kBlocked);
+  EXPECT_EQ(simulation.moveChair(chair, {1e12, 0.0, 0.0}), ChangeResult::kBlocked);
   EXPECT_EQ(simulation.moveChair(chair, simulation.base().truth()), ChangeResult::kBlocked);
   EXPECT_EQ(simulation.world().chairs[0].pose.x, rooms().chairs[0].pose.x);
 }

@@ -11,6 +11,10 @@
 
 namespace place_memory::sim {
 
+/// Nothing lies further from the origin along either axis: a slip of the pen would ask for a huge
+/// grid [m].
+constexpr double kFarthest = 1000.0;
+
 /// A polyline. Doors that lie along it cut their openings into it.
 struct Wall {
   std::vector<Vec2> points;
