@@ -29,8 +29,6 @@ class SonarModel {
   /// Throws std::invalid_argument naming the option that is out of range.
   explicit SonarModel(const SonarModelOptions& options);
 
-  const SonarModelOptions& options() const { return options_; }
-
   /// Adds the evidence of a reading, one addition a cell (paper 3.1.3). The reading is in the
   /// grid's frame.
   void add(const SonarReading& reading, EvidenceGrid& grid) const;
