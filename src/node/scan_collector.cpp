@@ -51,12 +51,11 @@ void ScanCollector::drop() {
   coverage_.reset();
   failure_.reset();
   pending_ranges_.clear();
-  pending_headings_.clear();
+  compass_offset_ = {};
   placed_.clear();
   rejected_.fill(0);
   closed_ = false;
   scan_problem_.clear();
-  sum_sin_ = sum_cos_ = 0.0;
 }
 
 void ScanCollector::addHeading(const sensor_msgs::Imu& message, const ros::Time& received) {
@@ -81,8 +80,7 @@ void ScanCollector::addHeading(const sensor_msgs::Imu& message, const ros::Time&
       break;
   }
   if (collecting() && usesOdometry() && stamp >= start_) {
-    pending_headings_.push_back(
-        {stamp, received + ros::Duration(parameters_.scan.tf_timeout), heading.yaw});
+    compass_offset_.add(stamp, received + ros::Duration(parameters_.scan.tf_timeout), heading.yaw);
   }
 }
 
@@ -110,7 +108,7 @@ void ScanCollector::forgetTime() {
   history_.clear();
   newest_stamps_.clear();
   pending_ranges_.clear();
-  pending_headings_.clear();
+  compass_offset_.clearWaiting();
 }
 
 void ScanCollector::timeRanBackwards(const std::string& source) {
@@ -193,7 +191,12 @@ bool ScanCollector::jumped(const Placed& reading) const {
 
 void ScanCollector::process(const ros::Time& now) {
   if (!collecting()) return;
-  processHeadings(now);
+  compass_offset_.process(now, [this](const ros::Time& stamp) -> std::optional<double> {
+    std::string problem;
+    const auto base = basePose(stamp, problem);
+    if (!base) return std::nullopt;
+    return base->yaw;
+  });
   std::deque<Pending> waiting;
   for (Pending& pending : pending_ranges_) {
     if (failure_) break;
@@ -214,23 +217,9 @@ void ScanCollector::process(const ros::Time& now) {
   pending_ranges_.swap(waiting);
 }
 
-void ScanCollector::processHeadings(const ros::Time& now) {
-  std::deque<PendingHeading> waiting;
-  for (const PendingHeading& pending : pending_headings_) {
-    std::string problem;
-    if (const auto base = basePose(pending.stamp, problem)) {
-      sum_sin_ += std::sin(pending.yaw - base->yaw);
-      sum_cos_ += std::cos(pending.yaw - base->yaw);
-    } else if (now < pending.deadline) {
-      waiting.push_back(pending);
-    }
-  }
-  pending_headings_.swap(waiting);
-}
-
 std::optional<double> ScanCollector::compassMinusFixed() const {
   if (!usesOdometry()) return 0.0;
-  if (sum_sin_ != 0.0 || sum_cos_ != 0.0) return std::atan2(sum_sin_, sum_cos_);
+  if (const auto mean = compass_offset_.mean()) return mean;
   // A slow compass may not have spoken during a short scan.
   const std::optional<double> heading = history_.at(toNanoseconds(placed_.front().stamp));
   if (!heading) return std::nullopt;

@@ -16,6 +16,7 @@
 #include "place_memory/core/scan.h"
 #include "place_memory/core/sonar_model.h"
 #include "place_memory/core/sweep_coverage.h"
+#include "place_memory/node/compass_offset.h"
 #include "place_memory/node/newest_stamps.h"
 #include "place_memory/node/scan_status.h"
 #include "place_memory/node/sensor_health.h"
@@ -85,11 +86,6 @@ class ScanCollector {
     core::SonarSpec spec;
     double range;
   };
-  struct PendingHeading {
-    ros::Time stamp;
-    ros::Time deadline;
-    double yaw;
-  };
   /// In the fixed frame: odometry's, or one with its axes along the compass and the base in its
   /// origin.
   struct Placed {
@@ -107,7 +103,6 @@ class ScanCollector {
   void reject(const std::string& frame, Reject reason);
   void fail(ScanStatus status, const std::string& message);
   void timeRanBackwards(const std::string& source);
-  void processHeadings(const ros::Time& now);
   std::optional<double> compassMinusFixed() const;
   core::Pose2d baseAtEnd(const ros::Time& end) const;
   ScanOutcome tooFew() const;
@@ -128,13 +123,11 @@ class ScanCollector {
   std::optional<ScanOutcome> failure_;
   ros::Time start_;
   std::deque<Pending> pending_ranges_;
-  std::deque<PendingHeading> pending_headings_;
+  CompassOffset compass_offset_;
   std::vector<Placed> placed_;
   RejectCounts rejected_{};
   bool closed_ = false;
   std::string scan_problem_;  // the latest
-  double sum_sin_ = 0.0;      // of compass heading minus yaw of odometry
-  double sum_cos_ = 0.0;
 };
 
 }  // namespace place_memory::node
