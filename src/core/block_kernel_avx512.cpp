@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#define PLACE_MEMORY_AVX512 gnu::target("avx512f,avx512vpopcntdq")
+#include "avx512_counts.h"
 
 namespace place_memory::core {
 namespace {
@@ -28,8 +28,7 @@ struct Counts {
 
 [[PLACE_MEMORY_AVX512, gnu::always_inline]] inline __m512i points(__m512i counts,
                                                                   std::int32_t factor) {
-  constexpr __mmask8 kAllLanes = 0xff;  // GCC takes the form without a mask for uninitialized
-  return _mm512_maskz_mul_epi32(kAllLanes, counts, _mm512_set1_epi64(factor));
+  return _mm512_maskz_mul_epi32(avx512::kAllLanes, counts, _mm512_set1_epi64(factor));
 }
 
 [[PLACE_MEMORY_AVX512, gnu::always_inline]] inline __m512i sum(const Counts& n,

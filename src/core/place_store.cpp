@@ -15,8 +15,6 @@ namespace {
 // Cell sizes that went through text, as in a YAML file, may differ in the last digits.
 constexpr double kCellSizeTolerance = 1e-9;
 
-constexpr std::size_t kPlacesBetweenReports = std::size_t{1} << 16U;
-
 // In a store that was not checked in full, one grid stands for all: they are written by one rule.
 void checkCellSize(SqliteDatabase& database, double cell_size, bool of_all) {
   const std::string source = of_all ? "grid" : "(SELECT cell_size FROM grid LIMIT 1)";

@@ -5,10 +5,8 @@
 namespace place_memory::core {
 namespace {
 
-constexpr std::int64_t kPlacesBetweenReports = 1 << 16;
-
 void convert(SqliteDatabase& database, const StoreProgress& progress) {
-  std::int64_t converted = 0;
+  std::size_t converted = 0;
   SqliteStatement grid(database, "SELECT place_id, checksum, cells FROM grid ORDER BY place_id");
   while (grid.step()) {
     insertPlanes(database, grid.integer(0), CellPlanes(readGrid(database, grid, 1, 1.0)));

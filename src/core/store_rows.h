@@ -1,12 +1,17 @@
 #ifndef PLACE_MEMORY_CORE_STORE_ROWS_H
 #define PLACE_MEMORY_CORE_STORE_ROWS_H
 
+#include <cstddef>
+
 #include "place_memory/core/cell_planes.h"
 #include "place_memory/core/evidence_grid.h"
 #include "place_memory/core/place.h"
 #include "sqlite.h"
 
 namespace place_memory::core {
+
+/// How many rows of a large store are gone through between two words on how far it has come.
+constexpr std::size_t kPlacesBetweenReports = std::size_t{1} << 16U;
 
 // How grids, and the bit planes that are made of them, lie in the tables of a store. Each row has a
 // checksum of its own, so that damage is found where it is read.
