@@ -45,7 +45,8 @@ std::vector<PlaceAlignment> searchPlaces(const QueryPlanes& query, const PlaceIn
                                          SearchMethod method,
                                          const std::function<bool()>& cancelled, WorkerPool& pool,
                                          SearchEffort* effort) {
-  const auto poll = [&cancelled] {
+  // Of the type that the search keeps a reference to.
+  const std::function<void()> poll = [&cancelled] {
     if (cancelled && cancelled()) throw std::runtime_error("recognition was cancelled");
   };
   WorkerPool alone(1);
