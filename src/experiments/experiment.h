@@ -45,8 +45,9 @@ std::vector<Experiment> putBackExperiments(const ShippedWorlds& worlds);
 /// Generated buildings, each with a robot of its own: no shipped world, no paper.
 Experiment buildingsExperiment();
 
-/// Recorded scans (trials::readEpisodeFile). Throws std::runtime_error.
-Experiment recordedExperiment(const std::string& path);
+/// Recorded scans (trials::readEpisodeFile), each of another building than the others: the scans of
+/// one are strangers to the memory of another. Throws std::runtime_error.
+std::vector<Experiment> recordedExperiments(const std::vector<std::string>& paths);
 
 /// Names of the curves, in the order in which they are drawn.
 std::vector<std::string> sweepNames();

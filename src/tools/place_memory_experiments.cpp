@@ -83,7 +83,8 @@ std::optional<Arguments> readArguments(int argc, char** argv) {
       "all, or of nearest_neighbour,hill_climbing,hill_climbing_restarts,default,"
       "default_single_climb,default_exhaustive,hill_climbing_laser,default_laser");
   add("recorded", po::value(&arguments.recorded)->composing(),
-      "recorded scans, JSON lines, .gz or not: one more row each");
+      "recorded scans, JSON lines, .gz or not: one more row each. Of several, each is of another "
+      "building: what one learns are strangers to the one before");
   add("rearrangements", po::value(&arguments.rearrangements)->default_value(0),
       "rearrange the office so many times over, with places that adapt and without");
   add("figures", po::bool_switch(&arguments.figures), "write the grids and maps of the figures");
@@ -129,7 +130,9 @@ std::vector<Experiment> chosenExperiments(const Arguments& arguments, const Ship
       chosen.push_back(experiment);
     }
   }
-  for (const std::string& path : arguments.recorded) chosen.push_back(recordedExperiment(path));
+  for (Experiment& experiment : recordedExperiments(arguments.recorded)) {
+    chosen.push_back(std::move(experiment));
+  }
   return chosen;
 }
 

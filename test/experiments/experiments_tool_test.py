@@ -5,6 +5,8 @@ usage: experiments_tool_test.py PLACE_MEMORY_EXPERIMENTS [UNITTEST OPTION]...
 """
 
 import csv
+import json
+import math
 import os
 import subprocess
 import sys
@@ -105,6 +107,49 @@ class TinyRun(unittest.TestCase):
         self.assertNotEqual(run(*script("insert_tables.py"), document, self.out).returncode, 0)
         with open(document) as file:
             self.assertEqual(file.read(), "<!-- begin accuracy.md -->\nold\n")
+
+
+class Recorded(unittest.TestCase):
+    """Round rooms, each of another radius, five metres apart."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def recording(self, name, radii, cell=0.14288):
+        def scan(role, i, radius):
+            readings = [[0, 2 * math.pi * k / 24, 0.0, radius] for k in range(24)]
+            return {"role": role, "place": f"P{i}", "accept": [f"P{i}"], "pose": [5.0 * i, 0.0, 0.0],
+                    "compass": 0.0, "any_heading": False, "ring_radius": 0.1, "fov": 0.4,
+                    "r_min": 0.1, "r_max": 4.5, "cell": cell, "readings": readings}
+        path = os.path.join(self.folder, name)
+        with open(path, "w") as file:
+            for role in ("learn", "recognize"):
+                for i, radius in enumerate(radii):
+                    file.write(json.dumps(scan(role, i, radius)) + "\n")
+        return ["--recorded", path]
+
+    def summary(self, *recordings):
+        out = os.path.join(self.folder, "out")
+        answer = run(TOOL, "--out", out, "--worlds", WORLDS, "--experiments", "none", "--methods",
+                     "default", *[word for recording in recordings for word in recording])
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        with open(os.path.join(out, "summary.csv"), newline="") as file:
+            return {row["case"]: row for row in csv.DictReader(file)}
+
+    def test_places_are_recognized_and_put_to_the_memory_as_if_never_learned(self):
+        row = self.summary(self.recording("a", [1.0, 2.0, 3.0]))["a"]
+        self.assertEqual((row["trials"], row["right"]), ("3", "3"))
+        self.assertEqual((row["unlearned"], row["strangers"]), ("3", "0"))
+
+    def test_the_places_of_one_are_strangers_to_the_one_before(self):
+        rows = self.summary(self.recording("a", [1.0, 2.0, 3.0]), self.recording("b", [1.5, 2.5]))
+        self.assertEqual((rows["a"]["strangers"], rows["b"]["strangers"]), ("2", "3"))
+
+    def test_recordings_of_other_cells_are_no_strangers(self):
+        rows = self.summary(self.recording("a", [1.0, 2.0]), self.recording("b", [1.5], cell=0.06))
+        self.assertEqual((rows["a"]["strangers"], rows["b"]["strangers"]), ("0", "0"))
 
 
 class WrongArguments(unittest.TestCase):
