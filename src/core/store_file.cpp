@@ -1,11 +1,15 @@
 #include "store_file.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string_view>
+#include <system_error>
 
 #include "store_migration.h"
 
@@ -110,9 +114,26 @@ void createSchema(SqliteDatabase& database) {
   transaction.commit();
 }
 
+// Another name for each call, of any process.
+std::string unfinishedName(const std::string& path) {
+  static std::atomic<unsigned> calls{0};
+  return path + ".new-" + std::to_string(::getpid()) + "-" + std::to_string(calls++);
+}
+
+// Gives the finished file its name, unless somebody else's has it by now: that one stays.
+void publish(const std::string& unfinished, const std::string& path) {
+  std::error_code error;
+  fs::create_hard_link(unfinished, path, error);
+  if (error && error != std::errc::file_exists) {
+    fs::rename(unfinished, path);  // a file system without hard links
+  } else {
+    fs::remove(unfinished);
+  }
+}
+
 // Under another name first: whenever this is cut off, no half-made store bears the name.
 void createFile(const std::string& path) {
-  const std::string unfinished = path + ".new";
+  const std::string unfinished = unfinishedName(path);
   fs::remove(unfinished);
   {
     SqliteDatabase database(unfinished, true);
@@ -121,7 +142,7 @@ void createFile(const std::string& path) {
     database.execute("PRAGMA page_size = 65536");
     createSchema(database);
   }
-  fs::rename(unfinished, path);
+  publish(unfinished, path);
 }
 
 bool hasPlaceWithout(SqliteDatabase& database, const std::string& table) {

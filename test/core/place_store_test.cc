@@ -4,9 +4,11 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <functional>
 #include <iterator>
 #include <optional>
+#include <thread>
 
 #include "random_scan.h"
 #include "temporary_folder.h"
@@ -218,6 +220,35 @@ TEST_F(PlaceStoreTest, KeepsOneFileOnly) {
 TEST_F(PlaceStoreTest, AnUnfinishedNewStoreDoesNotStandInTheWay) {
   writeFile(path_ + ".new", "cut off");
   EXPECT_EQ(open().graph().size(), 0U);
+}
+
+TEST_F(PlaceStoreTest, OfManyThatCreateItAtOnceOneHasIt) {
+  for (int round = 0; round < 3; ++round) {
+    const std::string path = folder_.file("places-" + std::to_string(round) + ".db");
+    std::atomic<int> ready{0}, held{0};
+    std::atomic<bool> all_tried{false};
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i) {
+      threads.emplace_back([&, i] {
+        for (++ready; ready < 4;) std::this_thread::yield();
+        try {
+          PlaceStore store(path, kDefaultCellSize);
+          store.add(makePlace("of " + std::to_string(i)), makeGrid(1), kNoPlace);
+          ++held;
+          ++ready;
+          while (!all_tried) std::this_thread::yield();
+        } catch (const StoreError&) {
+          ++ready;
+        }
+      });
+    }
+    while (ready < 8) std::this_thread::yield();
+    all_tried = true;
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(held, 1);
+    EXPECT_EQ(PlaceStore(path, kDefaultCellSize).graph().size(), 1U);
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(path_).parent_path()), {}), 3);
 }
 
 TEST_F(PlaceStoreTest, IsHeldByOneAtATime) {
