@@ -21,6 +21,16 @@ constexpr int kBusyTimeoutMs = 2000;
   }
 }
 
+// With its journal open all the time SQLite would go on writing to a file without a name.
+void requireFileInPlace(SqliteDatabase& database) {
+  int moved = 0;
+  sqlite3_file_control(database.handle(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  if (moved != 0) {
+    throwStoreError(database.path(),
+                    "was moved, replaced or deleted since it was opened: start the node again");
+  }
+}
+
 }  // namespace
 
 void throwStoreError(const std::string& path, const std::string& reason) {
@@ -88,7 +98,9 @@ void SqliteStatement::check(int code) {
 
 SqliteTransaction::SqliteTransaction(SqliteDatabase& database)
     : database_(database), is_outermost_(sqlite3_get_autocommit(database.handle()) != 0) {
-  if (is_outermost_) database.execute("BEGIN IMMEDIATE");
+  if (!is_outermost_) return;
+  requireFileInPlace(database);
+  database.execute("BEGIN IMMEDIATE");
 }
 
 SqliteTransaction::~SqliteTransaction() {

@@ -261,6 +261,24 @@ TEST_F(PlaceStoreTest, IsHeldByOneAtATime) {
   }
 }
 
+TEST_F(PlaceStoreTest, RefusesChangesWhereTheFileWasDeleted) {
+  fill();
+  PlaceStore store = open();
+  fs::remove(path_);
+  EXPECT_THROW(store.add(makePlace("d"), makeGrid(4), kNoPlace), StoreError);
+  EXPECT_THROW(store.rename(1, "e"), StoreError);
+  EXPECT_EQ(store.graph().size(), 3U);
+}
+
+TEST_F(PlaceStoreTest, RefusesChangesWhereAnotherFileStandsInThePlace) {
+  fill();
+  PlaceStore store = open();
+  fs::rename(path_, folder_.file("elsewhere.db"));
+  fill();
+  EXPECT_THROW(store.remove(1), StoreError);
+  EXPECT_EQ(open().graph().size(), 3U);
+}
+
 TEST_F(PlaceStoreTest, TakesACellSizeThatWentThroughText) {
   fill();
   EXPECT_NO_THROW(PlaceStore(path_, 0.142875));
