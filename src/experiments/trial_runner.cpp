@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <cmath>
 #include <limits>
 
@@ -19,12 +20,6 @@ double normalisedError(const Eigen::Vector3d& error, const std::array<double, 9>
   const Eigen::LDLT<Eigen::Matrix3d> factors(matrix);
   if (factors.info() != Eigen::Success || !factors.isPositive()) return kNone;
   return error.dot(factors.solve(error));
-}
-
-std::string joined(const std::vector<std::string>& labels) {
-  std::string text;
-  for (const std::string& label : labels) text += (text.empty() ? "" : " ") + label;
-  return text;
 }
 
 class Memory {
@@ -85,7 +80,7 @@ Answer judge(const trials::RecognitionTrial& trial, const core::Recognition& fou
              const std::string& given) {
   Answer answer;
   answer.known = !trial.accept.empty();
-  answer.expected = joined(trial.accept);
+  answer.expected = boost::algorithm::join(trial.accept, " ");
   answer.round = trial.round;
   answer.verdict = found.verdict;
   answer.distance = answer.position_error = answer.heading_error = answer.normalised_error = kNone;

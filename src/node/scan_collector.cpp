@@ -1,6 +1,7 @@
 #include "place_memory/node/scan_collector.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -25,12 +26,6 @@ std::chrono::nanoseconds toNanoseconds(double seconds) {
 
 ros::Time latestCredible(const ros::Time& received) {
   return received + ros::Duration().fromNSec(core::kMaxDisorder.count());
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 }  // namespace
@@ -288,7 +283,8 @@ ScanOutcome ScanCollector::tooFew() const {
   text << placed_.size() << " readings can be used, " << parameters_.scan.min_readings
        << " are needed (scan/min_readings)" << leftOut();
   if (placed_.empty() && *most == 0) {
-    text << "; is anything published on " << joined(parameters_.sonar_topics) << "?";
+    text << "; is anything published on " << boost::algorithm::join(parameters_.sonar_topics, ", ")
+         << "?";
   }
   if (!scan_problem_.empty()) text << "; " << scan_problem_;
   return {status, text.str(), nullptr};

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include "scan_collector_fixture.h"
+
+namespace place_memory::node {
+namespace {
+
+TEST_F(ScanCollectorTest, AJumpOfOdometryEndsTheScan) {
+  begin();
+  heading(kStart, 0.0);
+  odometry(kStart, {0.0, 0.0, 0.0});
+  odometry(kStart + 0.5, {0.0, 0.0, 0.0});
+  odometry(kStart + 0.51, {5.0, 0.0, 0.0});
+  odometry(kStart + 1.0, {5.0, 0.0, 0.0});
+  for (int i = 0; i < 10; ++i) range(kStart + 0.09 * i, i % kSensors, 1.0);
+  process(kStart + 1.0);
+  ASSERT_TRUE(collector().failure());
+  EXPECT_EQ(collector().outcome(ros::Time(kStart + 1)).status, ScanStatus::kOdometryJump);
+}
+
+TEST_F(ScanCollectorTest, ATurnOfOdometryInAnInstantEndsTheScan) {
+  begin();
+  odometry(kStart, {0.0, 0.0, 0.0});
+  odometry(kStart + 0.5, {0.0, 0.0, 0.0});
+  odometry(kStart + 0.51, {0.0, 0.0, 2.0});
+  odometry(kStart + 1.0, {0.0, 0.0, 2.0});
+  for (int i = 0; i < 10; ++i) range(kStart + 0.09 * i, i % kSensors, 1.0);
+  process(kStart + 1.0);
+  EXPECT_EQ(collector().outcome(ros::Time(kStart + 1)).status, ScanStatus::kOdometryJump);
+}
+
+TEST_F(ScanCollectorTest, TimeThatRunsBackwardsInReadingsEndsTheScan) {
+  begin();
+  range(kStart + 10.0, 0, 1.0);
+  range(kStart + 5.0, 0, 1.0);
+  EXPECT_EQ(collector().outcome(ros::Time(kStart + 5)).status, ScanStatus::kTimeJump);
+  EXPECT_TRUE(collector().takeTimeJump());
+  EXPECT_FALSE(collector().takeTimeJump());
+}
+
+TEST_F(ScanCollectorTest, TimeThatRunsBackwardsInHeadingsEndsTheScan) {
+  begin();
+  heading(kStart + 10.0, 0.0);
+  heading(kStart + 5.0, 0.0);
+  EXPECT_EQ(collector().outcome(ros::Time(kStart + 5)).status, ScanStatus::kTimeJump);
+}
+
+TEST_F(ScanCollectorTest, AfterTimeRanBackwardsTheNextScanIsSound) {
+  begin();
+  range(kStart + 1000.0, 0, 1.0);
+  range(kStart + 0.0, 0, 1.0);
+  ASSERT_TRUE(collector().failure());
+  begin();
+  turnAndSense(0.0, 0.0);
+  EXPECT_TRUE(outcomeAfter(2.1).scan);
+}
+
+TEST_F(ScanCollectorTest, ReadingsThatOvertakeEachOtherAreTaken) {
+  odometry(kStart, {});
+  odometry(kStart + 1, {});
+  begin();
+  range(kStart + 0.5, 0, 1.0);
+  range(kStart + 0.3, 1, 1.0);
+  process(kStart + 0.6);
+  EXPECT_FALSE(collector().failure());
+  EXPECT_EQ(collector().readings(), 2U);
+}
+
+TEST_F(ScanCollectorTest, OneStampFarAheadDoesNotLookLikeTimeRunningBackwards) {
+  odometry(kStart, {});
+  odometry(kStart + 1, {});
+  begin();
+  sensor_msgs::Range m;
+  m.header.stamp = ros::Time(kStart + 1e6);
+  m.header.frame_id = "sonar_1";
+  m.field_of_view = 0.4F;
+  m.max_range = 4.0F;
+  m.range = 1.0F;
+  collector().addRange(m, ros::Time(kStart));
+  range(kStart + 0.3, 0, 1.0);
+  process(kStart + 0.9);
+  EXPECT_FALSE(collector().failure());
+  EXPECT_EQ(collector().readings(), 1U);
+  EXPECT_EQ(count(collector(), Reject::kNoOdometry), 1U);
+}
+
+TEST_F(ScanCollectorTest, ABadMessageWithoutAStampDoesNotLookLikeTimeRunningBackwards) {
+  begin();
+  range(kStart + 10.0, 0, 1.0);
+  sensor_msgs::Range bad;
+  bad.header.frame_id = frame(0);
+  collector().addRange(bad, ros::Time(kStart + 10.0));
+  EXPECT_FALSE(collector().failure());
+}
+
+TEST_F(ScanCollectorTest, ASensorWhoseClockIsBehindDoesNotLookLikeTimeRunningBackwards) {
+  begin();
+  range(kStart + 10.0, 0, 1.0);
+  range(kStart + 5.0, 1, 1.0);
+  range(kStart + 10.1, 0, 1.0);
+  range(kStart + 5.1, 1, 1.0);
+  EXPECT_FALSE(collector().failure());
+}
+
+TEST_F(ScanCollectorTest, AStampAtTheEndOfTimeEndsNothing) {
+  buffer_.setTransform(transform("odom", "base_link", {}, kStart), "test", true);
+  begin();
+  range(kStart + 0.1, 0, 1.0);
+  sensor_msgs::Range m;
+  m.header.stamp = ros::Time(4294967295U, 0);
+  m.header.frame_id = frame(1);
+  m.field_of_view = 0.4F;
+  m.max_range = 4.0F;
+  m.range = 1.0F;
+  collector().addRange(m, ros::Time(kStart + 0.2));
+  process(kStart + 1.0);
+  EXPECT_FALSE(collector().failure());
+}
+
+}  // namespace
+}  // namespace place_memory::node
