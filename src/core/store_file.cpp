@@ -1,13 +1,11 @@
 #include "store_file.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string_view>
 #include <system_error>
 
@@ -116,8 +114,8 @@ void createSchema(SqliteDatabase& database) {
 
 // Another name for each call, of any process.
 std::string unfinishedName(const std::string& path) {
-  static std::atomic<unsigned> calls{0};
-  return path + ".new-" + std::to_string(::getpid()) + "-" + std::to_string(calls++);
+  std::random_device random;
+  return path + ".new-" + std::to_string(random()) + "-" + std::to_string(random());
 }
 
 // Gives the finished file its name, unless somebody else's has it by now: that one stays.
@@ -134,7 +132,6 @@ void publish(const std::string& unfinished, const std::string& path) {
 // Under another name first: whenever this is cut off, no half-made store bears the name.
 void createFile(const std::string& path) {
   const std::string unfinished = unfinishedName(path);
-  fs::remove(unfinished);
   {
     SqliteDatabase database(unfinished, true);
     // The largest there is: the bit planes of sixty places then lie together. With SQLite's usual
