@@ -129,17 +129,25 @@ void publish(const std::string& unfinished, const std::string& path) {
   }
 }
 
+void fillNewFile(const std::string& path) {
+  SqliteDatabase database(path, true);
+  // The largest there is: the bit planes of sixty places then lie together. With SQLite's usual
+  // 4096 bytes a start with a million places reads seven times as long from a disk.
+  database.execute("PRAGMA page_size = 65536");
+  createSchema(database);
+}
+
 // Under another name first: whenever this is cut off, no half-made store bears the name.
 void createFile(const std::string& path) {
   const std::string unfinished = unfinishedName(path);
-  {
-    SqliteDatabase database(unfinished, true);
-    // The largest there is: the bit planes of sixty places then lie together. With SQLite's usual
-    // 4096 bytes a start with a million places reads seven times as long from a disk.
-    database.execute("PRAGMA page_size = 65536");
-    createSchema(database);
+  try {
+    fillNewFile(unfinished);
+    publish(unfinished, path);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(unfinished, ignored);
+    throw;
   }
-  publish(unfinished, path);
 }
 
 bool hasPlaceWithout(SqliteDatabase& database, const std::string& table) {
