@@ -58,7 +58,7 @@ std::vector<Experiment> recordedExperiments(const std::vector<std::string>& path
     experiment.name = recorded[i].name;
     experiment.has_laser = false;
     experiment.has_seeds = false;
-    const Batch batch{recorded[i], recordedStrangers(recorded, i), kRecordedUnlearned};
+    Batch batch{recorded[i], recordedStrangers(recorded, i), kRecordedUnlearned};
     experiment.make = [batch](std::uint64_t /*seed*/, Sensor /*sensor*/) { return batch; };
     experiments.push_back(std::move(experiment));
   }
