@@ -61,6 +61,7 @@ TEST_F(PlaceStoreTest, OfManyThatCreateItAtOnceOneHasIt) {
     std::atomic<int> ready{0}, held{0};
     std::atomic<bool> all_tried{false};
     std::vector<std::thread> threads;
+    threads.reserve(4);
     for (int i = 0; i < 4; ++i) {
       threads.emplace_back([&, i] {
         for (++ready; ready < 4;) std::this_thread::yield();
