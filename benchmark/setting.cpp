@@ -11,9 +11,9 @@ Setting::Setting(const Options& options)
 
 const SimulatedPlaces& Setting::simulated() {
   if (!simulated_) {
-    const bool splices = options_.max_places > kSimulatedPlaces;
-    const std::size_t count = splices ? kSimulatedPlaces : options_.max_places;
-    simulated_ = std::make_unique<SimulatedPlaces>(simulatePlaces(count));
+    const std::size_t largest = std::max(options_.max_places, options_.max_stored);
+    simulated_ =
+        std::make_unique<SimulatedPlaces>(simulatePlaces(std::min(largest, kSimulatedPlaces)));
   }
   return *simulated_;
 }

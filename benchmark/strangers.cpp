@@ -69,7 +69,7 @@ void note(State& state, const std::string& kind, const Scores& scores) {
 /// Simulated strangers, from buildings that no query is from, and spliced ones made of those.
 void strangers(State& state, Setting& setting, bool any_heading) {
   const std::vector<KnownPlace>& places = setting.simulated().places;
-  const std::size_t first_building = places[kQueryPlaces].building + 1;
+  const std::size_t first_building = places.at(kQueryPlaces).building + 1;
   std::vector<core::CellPlanes> simulated, spliced;
   for (std::size_t i = places.size(); simulated.size() < kStrangers; --i) {
     simulated.emplace_back(places[i - 1].grid);

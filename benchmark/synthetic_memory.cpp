@@ -22,7 +22,7 @@ void SyntheticMemory::forEach(
   constexpr std::size_t kAtATime = 4096;
   std::optional<SplicedPlaces> spliced;
   if (size_ > simulated_count_) {
-    spliced.emplace(simulated_.places, simulated_.places[kQueryPlaces].building + 1);
+    spliced.emplace(simulated_.places, simulated_.places.at(kQueryPlaces).building + 1);
   }
   std::vector<KnownPlace> places;
   for (std::size_t first = 0; first < size_; first += kAtATime) {
