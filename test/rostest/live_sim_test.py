@@ -147,8 +147,10 @@ class LiveSimTest(unittest.TestCase):
         self.start()
         times = [message.clock for message in
                  self.collected("/clock", Clock, lambda messages: len(messages) > 50)]
-        self.assertEqual(times, sorted(times))
-        self.assertAlmostEqual((times[-1] - times[0]).to_sec(), 0.05 * (len(times) - 1), places=6)
+        for before, after in zip(times, times[1:]):
+            steps = (after - before).to_sec() / 0.05  # more than one where a message was lost
+            self.assertGreater(steps, 0.5)
+            self.assertAlmostEqual(steps, round(steps), places=6)
 
     # --- cmd_vel ---
 
@@ -184,11 +186,15 @@ class LiveSimTest(unittest.TestCase):
 
     def test_does_not_drive_through_a_wall(self):
         self.start()
-        begun = rospy.Time.from_sec(self.sim.message("odom", Odometry).header.stamp.to_sec())
-        self.drive(1.0)(lambda: (self.sim.message("odom", Odometry).header.stamp
-                                 - begun).to_sec() > 6.0, "six seconds")
-        self.assertLess(self.truth().position.x, 2.8)
-        self.assertGreater(self.truth().position.x, 2.0)
+        drive = self.drive(1.0)
+        drive(lambda: self.truth().position.x > 2.5, "the robot to come to the wall")
+        places = []
+
+        def pushed_on():
+            places.append(self.truth().position.x)
+            return places[-10:].count(places[-1]) == 10
+        drive(pushed_on, "the robot to stay where it is")
+        self.assertLess(places[-1], 2.8)
 
     # --- services ---
 
