@@ -230,4 +230,19 @@ Table reliabilityTable(const std::vector<Outcome>& outcomes) {
   return table;
 }
 
+Table calibrationTable(const std::vector<Outcome>& outcomes, const std::string& method) {
+  Table table({"probability of the best match", "answers", "its mean", "right"});
+  const Summary summary = summarize(answersOf(outcomes, method));
+  for (std::size_t i = 0; i < kReliabilityBins; ++i) {
+    const ReliabilityBin& bin = summary.reliability[i];
+    if (bin.answers == 0) continue;
+    const auto answers = static_cast<double>(bin.answers);
+    table.add({fixed(static_cast<double>(i) / kReliabilityBins, 1) + " to " +
+                   fixed(static_cast<double>(i + 1) / kReliabilityBins, 1),
+               std::to_string(bin.answers), fixed(bin.probability_sum / answers, 3),
+               withInterval(bin.right, bin.answers, 3)});
+  }
+  return table;
+}
+
 }  // namespace place_memory::experiments

@@ -29,6 +29,9 @@ Table summaryTable(const std::vector<Outcome>& outcomes);
 /// A row for each method and tenth of the probability, over all experiments.
 Table reliabilityTable(const std::vector<Outcome>& outcomes);
 
+/// The same for people, of one method; tenths in which no answer fell are left out.
+Table calibrationTable(const std::vector<Outcome>& outcomes, const std::string& method);
+
 }  // namespace place_memory::experiments
 
 #endif  // PLACE_MEMORY_EXPERIMENTS_SUMMARY_TABLE_H

@@ -80,7 +80,7 @@ std::optional<Arguments> readArguments(int argc, char** argv) {
   add("sweeps", po::value(&sweeps)->default_value("none"),
       "all, none, or of chairs,shift,heading_error,cell_size,places,sonars,readings_lost");
   add("methods", po::value(&methods)->default_value("all"),
-      "all, or of nearest_neighbour,hill_climbing,hill_climbing_restarts,default,"
+      "of --experiments and --recorded: all, or of nearest_neighbour,hill_climbing,hill_climbing_restarts,default,"
       "default_single_climb,default_exhaustive,hill_climbing_laser,default_laser");
   add("recorded", po::value(&arguments.recorded)->composing(),
       "recorded scans, JSON lines, .gz or not: one more row each. Of several, each is of another "
@@ -96,8 +96,9 @@ std::optional<Arguments> readArguments(int argc, char** argv) {
   add("threads", po::value(&run.threads)->default_value(run.threads),
       "results do not depend on it");
   add("params", po::value(&arguments.params)->composing(),
-      "parameters of the default method, laid out as config/place_memory.yaml; where several files "
-      "give one, the last holds");
+      "parameters of every method, laid out as config/place_memory.yaml; the paper's keep their "
+      "preset and search. Cell size and heading window are those of the trials. Where several "
+      "files give a parameter, the last holds");
   add("preset", po::value(&arguments.preset),
       "match/preset of the default method: evidence, paper or a file");
   po::variables_map given;
@@ -196,6 +197,7 @@ void compare(const Arguments& arguments, const ShippedWorlds& worlds,
     if (method.name != "default") continue;
     showAndWrite(arguments, "default", verdictTable(outcomes, method.name));
     showAndWrite(arguments, "verdicts", verdictShareTable(outcomes, method.name));
+    showAndWrite(arguments, "calibration", calibrationTable(outcomes, method.name));
   }
 }
 

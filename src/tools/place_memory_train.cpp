@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <atomic>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
@@ -79,10 +81,20 @@ Settings parse(int argc, char** argv) {
   options::notify(given);
   if (settings.seeds < 3) throw std::runtime_error("--seeds must be at least 3");
   if (settings.held_back < 2) throw std::runtime_error("--held-back must be at least 2");
+  if (!(settings.ridge >= 0.0) || !std::isfinite(settings.ridge)) {
+    throw std::runtime_error("--ridge must be at least 0");
+  }
+  if (!settings.start.empty() && (!settings.episodes.empty() || !given["ridge"].defaulted())) {
+    throw std::runtime_error(
+        "--calibrate fits no metric: --episodes and --ridge do not go with it");
+  }
   std::ostringstream origin;
   origin << "Written by place_memory_train --seeds " << settings.seeds << " --held-back "
          << settings.held_back;
   if (settings.start.empty()) origin << " --ridge " << settings.ridge;
+  if (!settings.episodes.empty()) {
+    origin << " --episodes " << boost::algorithm::join(settings.episodes, " ");
+  }
   if (!settings.start.empty()) origin << " --calibrate " << settings.start;
   settings.origin = origin.str();
   return settings;

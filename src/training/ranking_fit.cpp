@@ -110,7 +110,7 @@ double rankingLoss(const std::vector<Choice>& choices, const VectorXd& weights) 
 
 double bestScale(const std::vector<Choice>& choices, const VectorXd& weights) {
   double best = 1.0, least = INFINITY;
-  for (double exponent = -6.0; exponent <= 2.0; exponent += 0.125) {
+  for (double exponent = -12.0; exponent <= 2.0; exponent += 0.125) {
     const double scale = std::exp2(exponent);
     const double loss = rankingLoss(choices, scale * weights);
     if (loss < least) {

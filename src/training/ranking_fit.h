@@ -17,7 +17,7 @@ struct Choice {
 /// Choices without a right candidate do not count.
 double rankingLoss(const std::vector<Choice>& choices, const Eigen::VectorXd& weights);
 
-/// The factor on the weights with the least rankingLoss(), from 2^-6 to 4.
+/// The factor on the weights with the least rankingLoss(), from 2^-12 to 4.
 double bestScale(const std::vector<Choice>& choices, const Eigen::VectorXd& weights);
 
 /// Weights that minimise rankingLoss() plus `ridge` times their squared distance from those of

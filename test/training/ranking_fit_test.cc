@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "training/candidates.h"
@@ -40,6 +41,12 @@ TEST(FitRanking, FindsTheWeightsThatTheListsWereDrawnFrom) {
   const Features truth = someTruth();
   const Features found = fitRanking(drawChoices(truth, 1, 4000), Features::Zero(), 1e-6, kCosts);
   EXPECT_LT((found - truth).cwiseAbs().maxCoeff(), 0.15);
+}
+
+TEST(BestScale, FindsTheScaleOfWeightsThatAreAThousandfoldTooLarge) {
+  const Features truth = someTruth();
+  const double scale = bestScale(drawChoices(truth, 5, 2000), 1024.0 * truth);
+  EXPECT_NEAR(std::log2(scale), -10.0, 0.25);
 }
 
 TEST(FitRanking, IsNoWorseThanAnyNeighbour) {
