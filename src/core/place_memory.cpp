@@ -64,16 +64,19 @@ Place PlaceMemory::learn(const Scan& scan, const std::string& label) {
   if (previous_ != kNoPlace) graph_.link(previous_, place.id);
   index_.put(place.id, place.map_from_place, scan.grid);
   previous_ = place.id;
+  newest_answer_ = ++questions_;
   return place;
 }
 
 LabelledRecognition PlaceMemory::recognize(const Scan& scan, double heading_window,
                                            const std::function<bool()>& cancelled) {
+  std::uint64_t question = 0;
   for (;;) {
     PlaceIndex snapshot;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       snapshot = index_;
+      if (question == 0) question = ++questions_;
     }
     Recognition recognition = recognizer_.recognize(scan, snapshot, heading_window, cancelled);
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -81,8 +84,12 @@ LabelledRecognition PlaceMemory::recognize(const Scan& scan, double heading_wind
     // cannot just be left out.
     auto labels = labelsLocked(recognition.matches);
     if (!labels) continue;
-    if (recognition.verdict == Verdict::kRecognized) previous_ = recognition.matches.front().id;
-    return {std::move(recognition), std::move(*labels)};
+    const bool superseded = question < newest_answer_;
+    if (!superseded) {
+      newest_answer_ = question;
+      if (recognition.verdict == Verdict::kRecognized) previous_ = recognition.matches.front().id;
+    }
+    return {std::move(recognition), std::move(*labels), superseded};
   }
 }
 
@@ -131,6 +138,7 @@ std::size_t PlaceMemory::clear() {
   graph_.clear();
   index_.clear();
   previous_ = kNoPlace;
+  newest_answer_ = ++questions_;
   return places;
 }
 
@@ -167,6 +175,7 @@ std::optional<Place> PlaceMemory::previousPlace() const {
 void PlaceMemory::forgetPreviousPlace() {
   const std::lock_guard<std::mutex> lock(mutex_);
   previous_ = kNoPlace;
+  newest_answer_ = ++questions_;
 }
 
 const Place& PlaceMemory::findLocked(const std::string& label) const {

@@ -2,12 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "place_memory/core/pose2d.h"
 
 namespace place_memory::core {
+namespace {
 
-SweepCoverage::SweepCoverage(int headings, double step) : headings_(headings), step_(step) {
+constexpr int kPatience = 20;  // [turns of another sensor]
+
+}  // namespace
+
+SweepCoverage::SweepCoverage(int headings, double step, std::set<std::string> sensors)
+    : headings_(headings), step_(step), sensors_(std::move(sensors)) {
   const int in_a_turn = static_cast<int>(std::lround(2.0 * kPi / step));
   if (headings >= in_a_turn) headings_ = full_turn_ = in_a_turn;
 }
@@ -17,15 +25,31 @@ void SweepCoverage::add(const std::string& sensor, double base_yaw) {
   last_yaw_ = base_yaw;
   current_ = static_cast<int>(std::lround(turned_ / step_));
   if (full_turn_ > 0) current_ = ((current_ % full_turn_) + full_turn_) % full_turn_;
-  ++readings_at_[current_];
-  if (++readings_of_[sensor] > 1) sensors_known_ = true;
+  takeTurn(sensor);
+}
+
+void SweepCoverage::skip(const std::string& sensor) {
+  if (last_yaw_) takeTurn(sensor);
+}
+
+void SweepCoverage::takeTurn(const std::string& sensor) {
+  sensors_.insert(sensor);
+  if (!heard_.insert(sensor).second) sensors_known_ = true;
+  std::map<std::string, int>& turns = turns_at_[current_];
+  if (++turns[sensor] < kPatience) return;
+  for (auto it = sensors_.begin(); it != sensors_.end();) {
+    it = turns.count(*it) > 0 ? std::next(it) : sensors_.erase(it);
+  }
 }
 
 int SweepCoverage::completed() const {
-  const auto latest = readings_at_.find(current_);
-  if (latest == readings_at_.end()) return 0;
+  const auto latest = turns_at_.find(current_);
+  if (latest == turns_at_.end()) return 0;
+  const auto hadItsTurn = [&](const std::string& sensor) {
+    return latest->second.count(sensor) > 0;
+  };
   const bool latest_is_over =
-      sensors_known_ && latest->second >= static_cast<int>(readings_of_.size());
+      sensors_known_ && std::all_of(sensors_.begin(), sensors_.end(), hadItsTurn);
   return latest_is_over ? headings() : headings() - 1;
 }
 

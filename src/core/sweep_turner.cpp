@@ -12,6 +12,7 @@ constexpr double kGain = 4.0;             // rate for an error [1/s]
 constexpr double kLeastRate = 0.1;        // share of the top rate at which a robot still turns
 constexpr double kSlow = 0.04;            // [rad/s]; faster, a base that obeys late would overshoot
 constexpr double kTolerance = kPi / 720;  // a quarter of a degree
+constexpr double kLeastTolerance = 1e-3;  // [rad]; what a robot at kSlow may pass over in an update
 
 }  // namespace
 
@@ -19,7 +20,7 @@ SweepTurner::SweepTurner(int headings, double step, double max_rate)
     : headings_(headings),
       step_(step),
       max_rate_(max_rate),
-      tolerance_(std::min(kTolerance, 0.1 * step)) {
+      tolerance_(std::clamp(0.1 * step, kLeastTolerance, kTolerance)) {
   const bool full_turn = headings * step > 2.0 * kPi - 0.5 * step;
   first_ = full_turn ? 0.0 : -0.5 * step * (headings - 1);
 }
@@ -39,7 +40,10 @@ double SweepTurner::update(double yaw, int completed) {
   if (last_yaw_) turned_ += wrapAngle(yaw - *last_yaw_);
   last_yaw_ = yaw;
 
-  const auto reached = [&] { return std::abs(target(completed) - turned_) <= tolerance_; };
+  const auto reached = [&] {
+    const double tolerance = phase_ == Phase::kSweep ? tolerance_ : kTolerance;
+    return std::abs(target(completed) - turned_) <= tolerance;
+  };
   if (phase_ == Phase::kToFirst && reached()) phase_ = Phase::kSweep;
   if (phase_ == Phase::kSweep && completed >= headings_) phase_ = Phase::kBack;
   if (phase_ == Phase::kBack && reached()) phase_ = Phase::kDone;

@@ -72,6 +72,7 @@ void MemoryPublisher::publishRecognition(const core::Scan& scan,
   }
   publishMatchedGrid(
       scan, found.verdict == core::Verdict::kUnknown ? core::PlaceMatch() : found.matches.front());
+  if (recognition.superseded) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   current_ = is_recognized ? found.matches.front().id : core::kNoPlace;
   publishCurrentPlaceLocked();

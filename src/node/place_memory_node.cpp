@@ -32,8 +32,8 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
     diagnoseSonars(scan_server_.health(), ros::Time::now(), status);
   });
   // Forced, because the updater's own pace is that of simulated time, which may stand still.
-  diagnostics_timer_ = names_.createWallTimer(
-      kDiagnosticsPeriod, [this](const ros::WallTimerEvent&) { onDiagnosticsTimer(); });
+  diagnostics_timer_ = names_.createSteadyTimer(
+      kDiagnosticsPeriod, [this](const ros::SteadyTimerEvent&) { onDiagnosticsTimer(); });
 }
 
 void PlaceMemoryNode::onDiagnosticsTimer() {

@@ -14,9 +14,9 @@ namespace {
 constexpr double kWidest = core::kPi * (1.0 + 1e-6);
 
 constexpr std::array<const char*, kRejects> kWords = {
-    "range is NaN",   "too close",   "below min_range", "above max_range",
-    "fixed distance", "bad sensor",  "no stamp",        "looks up or down",
-    "no transform",   "no odometry", "no heading",      "scan is full",
+    "range is NaN", "too close",  "below min_range", "above max_range",  "fixed distance",
+    "bad sensor",   "no stamp",   "old stamp",       "looks up or down", "no transform",
+    "no odometry",  "no heading", "scan is full",
 };
 
 CheckedRange rejected(Reject reject) {

@@ -1,8 +1,9 @@
 #include "place_memory/node/scan_collector.h"
 
 #include <algorithm>
-#include <boost/algorithm/string/join.hpp>
 #include <cmath>
+#include <iomanip>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -16,12 +17,24 @@ namespace {
 // A sonar that looks up or down more steeply says nothing about the plane.
 constexpr double kLeastLevel = 0.1;
 
+// A scan waits for the sensors that were heard so shortly before it.
+constexpr double kLately = 2.0;  // [s]
+
+// Nothing takes so long from a sensor to here: its clock is wrong.
+constexpr double kLongAgo = 1.0;  // [s]
+
 std::chrono::nanoseconds toNanoseconds(const ros::Time& time) {
   return std::chrono::seconds(time.sec) + std::chrono::nanoseconds(time.nsec);
 }
 
 std::chrono::nanoseconds toNanoseconds(double seconds) {
   return std::chrono::nanoseconds(std::llround(seconds * 1e9));
+}
+
+std::string inSeconds(double seconds) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << seconds << " s";
+  return text.str();
 }
 
 ros::Time latestCredible(const ros::Time& received) {
@@ -38,7 +51,12 @@ ScanCollector::ScanCollector(const config::Parameters& parameters, const tf2::Bu
 
 void ScanCollector::begin(const ros::Time& start, int headings, double step) {
   drop();
-  coverage_.emplace(headings, step);
+  std::set<std::string> sensors;
+  for (const auto& [frame, health] : health_.sensors()) {
+    const bool lately = std::abs(start.toSec() - health.last_received.toSec()) < kLately;
+    if (lately && frame != SensorHealthTable::kOthers) sensors.insert(frame);
+  }
+  coverage_.emplace(headings, step, std::move(sensors));
   start_ = start;
 }
 
@@ -74,6 +92,11 @@ void ScanCollector::addHeading(const sensor_msgs::Imu& message, const ros::Time&
     case core::TimeOrder::kForward:
       break;
   }
+  const double age = received.toSec() - stamp.toSec();
+  if (collecting() && age > kLongAgo) {
+    scan_problem_ =
+        "headings are stamped " + inSeconds(age) + " before they come: is the clock there right?";
+  }
   if (collecting() && usesOdometry() && stamp >= start_) {
     compass_offset_.add(stamp, received + ros::Duration(parameters_.scan.tf_timeout), heading.yaw);
   }
@@ -83,20 +106,37 @@ void ScanCollector::addRange(const sensor_msgs::Range& message, const ros::Time&
   const ros::Time& stamp = message.header.stamp;
   const std::string& frame = message.header.frame_id;
   health_.noteMessage(message, received);
-  const CheckedRange checked = checkRange(message, parameters_.scan.over_range_is_no_echo);
+  CheckedRange checked = checkRange(message, parameters_.scan.over_range_is_no_echo);
   const auto credible = toNanoseconds(std::min(stamp, latestCredible(received)));
-  if (!stamp.isZero() && newest_stamps_.note(frame, credible) == core::TimeOrder::kBackwards) {
+  // Nothing of a sensor that makes no sense is believed; and those without a frame are many.
+  if (checked.reject != Reject::kBadSensor && !stamp.isZero() &&
+      newest_stamps_.note(frame, credible) == core::TimeOrder::kBackwards) {
     timeRanBackwards(frame);
   }
-  const bool of_scan = collecting() && !closed_ && (stamp >= start_ || stamp.isZero());
+  const bool taken = collecting() && !closed_;
+  const bool before_scan = stamp < start_ && !stamp.isZero();
+  if (taken && before_scan && !checked.reject) checked.reject = rejectIfOld(message, received);
   if (checked.reject) {
-    health_.noteReject(frame, *checked.reject);
-    if (of_scan) ++rejected_.at(static_cast<std::size_t>(*checked.reject));
+    if (taken && (!before_scan || checked.reject == Reject::kOld)) {
+      reject(frame, *checked.reject);
+    } else {
+      health_.noteReject(frame, *checked.reject);
+    }
     return;
   }
-  if (!of_scan) return;
+  if (!taken || before_scan) return;
   pending_ranges_.push_back({frame, stamp, received + ros::Duration(parameters_.scan.tf_timeout),
                              checked.spec, checked.range});
+}
+
+std::optional<Reject> ScanCollector::rejectIfOld(const sensor_msgs::Range& message,
+                                                 const ros::Time& received) {
+  // ros::Duration would not hold how far a wrong stamp may be off.
+  const double age = received.toSec() - message.header.stamp.toSec();
+  if (age <= kLongAgo) return std::nullopt;
+  problem_ = scan_problem_ = "readings of " + message.header.frame_id + " are stamped " +
+                             inSeconds(age) + " before they come: is the clock there right?";
+  return Reject::kOld;
 }
 
 void ScanCollector::forgetTime() {
@@ -120,6 +160,7 @@ void ScanCollector::fail(ScanStatus status, const std::string& message) {
 void ScanCollector::reject(const std::string& frame, Reject reason) {
   health_.noteReject(frame, reason);
   ++rejected_.at(static_cast<std::size_t>(reason));
+  coverage_->skip(frame);
 }
 
 std::optional<core::Pose2d> ScanCollector::basePose(const ros::Time& stamp,
@@ -254,45 +295,6 @@ std::optional<core::Scan> ScanCollector::snapshot(const ros::Time& end) const {
   scan.begin = toNanoseconds(start_);
   scan.end = toNanoseconds(end);
   return scan;
-}
-
-ScanOutcome ScanCollector::outcome(const ros::Time& end) const {
-  if (failure_) return *failure_;
-  if (placed_.size() < static_cast<std::size_t>(parameters_.scan.min_readings)) return tooFew();
-  auto scan = snapshot(end);
-  if (!scan) {
-    return {ScanStatus::kNoHeading,
-            "no heading came on " + parameters_.heading_topic +
-                ": a scan needs the compass, or whatever stands in for it, since its grid lies "
-                "along compass north",
-            nullptr};
-  }
-  std::ostringstream text;
-  text << placed_.size() << " readings at " << coverage_->headings() << " headings" << leftOut();
-  return {ScanStatus::kSucceeded, text.str(), std::make_shared<const core::Scan>(std::move(*scan))};
-}
-
-ScanOutcome ScanCollector::tooFew() const {
-  const auto most = std::max_element(rejected_.begin(), rejected_.end());
-  const auto reason = static_cast<Reject>(most - rejected_.begin());
-  ScanStatus status = ScanStatus::kTooFewReadings;
-  if (*most > 0 && reason == Reject::kNoHeading) status = ScanStatus::kNoHeading;
-  if (*most > 0 && reason == Reject::kNoOdometry) status = ScanStatus::kNoOdometry;
-
-  std::ostringstream text;
-  text << placed_.size() << " readings can be used, " << parameters_.scan.min_readings
-       << " are needed (scan/min_readings)" << leftOut();
-  if (placed_.empty() && *most == 0) {
-    text << "; is anything published on " << boost::algorithm::join(parameters_.sonar_topics, ", ")
-         << "?";
-  }
-  if (!scan_problem_.empty()) text << "; " << scan_problem_;
-  return {status, text.str(), nullptr};
-}
-
-std::string ScanCollector::leftOut() const {
-  const std::string words = inWords(rejected_);
-  return words.empty() ? words : "; left out: " + words;
 }
 
 std::string ScanCollector::takeProblem() { return std::exchange(problem_, {}); }

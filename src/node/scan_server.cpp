@@ -18,8 +18,9 @@ const ros::WallDuration kPartialPeriod(0.5);
 constexpr double kPartialShare = 20.0;  // partial grids take one part of so many of the time
 
 // A sweep is over when all of its headings were sensed and the sensors have been silent for so
-// long, though not every one of them spoke at the last heading.
-const ros::Duration kSilence(0.5);
+// long, and for twice as long as ever before in this scan, though not every one of them spoke at
+// the last heading.
+constexpr double kSilence = 0.5;  // [s]
 
 // The time the last messages need to get out of the process.
 const ros::WallDuration kLastMessages(0.1);
@@ -50,7 +51,7 @@ ScanServer::ScanServer(const ros::NodeHandle& names, const ros::NodeHandle& priv
   }
   subscribers_.push_back(
       names_.subscribe(parameters_.heading_topic, kQueueLength, &ScanServer::onHeading, this));
-  timer_ = names_.createWallTimer(kUpdatePeriod, &ScanServer::update, this);
+  timer_ = names_.createSteadyTimer(kUpdatePeriod, &ScanServer::update, this);
 
   server_->start();
   spinner_ = std::make_unique<ros::AsyncSpinner>(1, &queue_);
@@ -94,7 +95,7 @@ void ScanServer::onGoal(const Server::GoalHandle& goal) {
   goal_.setAccepted();
   sweep_.emplace();
   timeRanBackwards(ros::Time::now());
-  clock_changed_ = ros::WallTime::now();
+  clock_changed_ = ros::SteadyTime::now();
   std::string problem;
   const auto request = readGoal(*goal_.getGoal(), parameters_.scan, problem);
   if (!request) {
@@ -109,7 +110,7 @@ void ScanServer::onCancel(const Server::GoalHandle& goal) {
   end({ScanStatus::kCanceled, "it was canceled", nullptr}, ros::Time::now());
 }
 
-void ScanServer::update(const ros::WallTimerEvent& /*event*/) {
+void ScanServer::update(const ros::SteadyTimerEvent& /*event*/) {
   const ros::Time now = ros::Time::now();
   const bool backwards = timeRanBackwards(now);
   if (sweep_ && backwards) {
@@ -138,7 +139,7 @@ void ScanServer::update(const ros::WallTimerEvent& /*event*/) {
 
 bool ScanServer::timeRanBackwards(const ros::Time& now) {
   const bool clock_did = now < clock_;
-  if (now != clock_) clock_changed_ = ros::WallTime::now();
+  if (now != clock_) clock_changed_ = ros::SteadyTime::now();
   clock_ = now;
   if (clock_did) collector_.forgetTime();
   if (!collector_.takeTimeJump() && !clock_did) return false;
@@ -149,7 +150,7 @@ bool ScanServer::timeRanBackwards(const ros::Time& now) {
 }
 
 bool ScanServer::clockStands(const ros::Time& now) {
-  const ros::WallDuration standing = ros::WallTime::now() - clock_changed_;
+  const ros::WallDuration standing = ros::SteadyTime::now() - clock_changed_;
   if (standing > ros::WallDuration(sweep_->request.timeout)) {
     end({ScanStatus::kNoTime,
          "simulated time stands still: is anything published on /clock? (use_sim_time is set)",
@@ -172,12 +173,15 @@ void ScanServer::start(const ros::Time& now) {
 }
 
 void ScanServer::listen(const ros::Time& now) {
+  const double silence = (now - sweep_->last_reading).toSec();
   if (collector_.readings() != sweep_->readings) {
+    if (sweep_->readings > 0) sweep_->longest_silence = std::max(sweep_->longest_silence, silence);
     sweep_->readings = collector_.readings();
     sweep_->last_reading = now;
   }
+  if (collector_.readings() < static_cast<std::size_t>(parameters_.scan.min_readings)) return;
   const core::SweepCoverage& coverage = collector_.coverage();
-  const bool silent = now - sweep_->last_reading > kSilence;
+  const bool silent = silence > std::max(kSilence, 2.0 * sweep_->longest_silence);
   if (coverage.done() || (silent && coverage.headings() >= coverage.target())) {
     end(collector_.outcome(now), now);
   }
@@ -225,6 +229,7 @@ std::optional<double> ScanServer::yawNow(const ros::Time& now) const {
 }
 
 void ScanServer::timeOut(const ros::Time& now) {
+  if (moving_) command(0.0);
   const int wanted = sweep_->request.headings;
   const int sensed = collector_.collecting() ? collector_.coverage().headings() : 0;
   ScanOutcome outcome{ScanStatus::kTimeout, "the robot never came to the first heading", nullptr};
@@ -236,15 +241,17 @@ void ScanServer::timeOut(const ros::Time& now) {
   if (sensed == 1 && wanted > 1 && !sweep_->turner) {
     text << "; nothing turned the robot: let the node do it (turn), or ask for 1 heading";
   }
-  const bool said_why =
-      outcome.status == ScanStatus::kNoHeading || outcome.status == ScanStatus::kNoOdometry;
+  const bool only_few =
+      outcome.status == ScanStatus::kTooFewReadings && sensed >= collector_.coverage().target();
+  const bool said_why = only_few || outcome.status == ScanStatus::kNoHeading ||
+                        outcome.status == ScanStatus::kNoOdometry;
   end({said_why ? outcome.status : ScanStatus::kTimeout, text.str(), nullptr}, now);
 }
 
 void ScanServer::report(const ros::Time& now) {
-  const ros::WallTime wall = ros::WallTime::now();
-  if (wall - last_feedback_ >= kFeedbackPeriod) {
-    last_feedback_ = wall;
+  const ros::SteadyTime steady = ros::SteadyTime::now();
+  if (steady - last_feedback_ >= kFeedbackPeriod) {
+    last_feedback_ = steady;
     ScanPlaceFeedback feedback;
     if (collector_.collecting()) {
       feedback.fraction = static_cast<float>(collector_.coverage().fraction());
@@ -254,11 +261,11 @@ void ScanServer::report(const ros::Time& now) {
     }
     goal_.publishFeedback(feedback);
   }
-  if (callbacks_.partial && wall >= next_partial_ && collector_.collecting()) {
+  if (callbacks_.partial && steady >= next_partial_ && collector_.collecting()) {
     if (const auto scan = collector_.snapshot(now)) callbacks_.partial(*scan);
     // A grid of very many readings takes long, and the robot is steered meanwhile.
-    const ros::WallDuration took = ros::WallTime::now() - wall;
-    next_partial_ = wall + std::max(kPartialPeriod, took * kPartialShare);
+    const ros::WallDuration took = ros::SteadyTime::now() - steady;
+    next_partial_ = steady + std::max(kPartialPeriod, took * kPartialShare);
   }
 }
 

@@ -87,7 +87,8 @@ SonarSim::SonarSim(const ros::NodeHandle& names, const ros::NodeHandle& private_
   if (!simulation_.scene().isFree({start.x, start.y}, parameters.options.base_radius)) {
     throw std::invalid_argument("start: the robot would stand on something there");
   }
-  // Simulated time begins now, so that it does not run backwards when the node is started anew.
+  // Simulated time begins now, so that it does not run backwards when the node is started anew;
+  // with a speed above 1 it does all the same, to what other nodes take for a bag that loops.
   now_.fromNSec(ros::WallTime::now().toNSec());
   advertise();
   publishStaticTransforms();

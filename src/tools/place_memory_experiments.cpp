@@ -80,7 +80,8 @@ std::optional<Arguments> readArguments(int argc, char** argv) {
   add("sweeps", po::value(&sweeps)->default_value("none"),
       "all, none, or of chairs,shift,heading_error,cell_size,places,sonars,readings_lost");
   add("methods", po::value(&methods)->default_value("all"),
-      "of --experiments and --recorded: all, or of nearest_neighbour,hill_climbing,hill_climbing_restarts,default,"
+      "of --experiments and --recorded: all, or of "
+      "nearest_neighbour,hill_climbing,hill_climbing_restarts,default,"
       "default_single_climb,default_exhaustive,hill_climbing_laser,default_laser");
   add("recorded", po::value(&arguments.recorded)->composing(),
       "recorded scans, JSON lines, .gz or not: one more row each. Of several, each is of another "

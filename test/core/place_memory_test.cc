@@ -3,44 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
-#include <thread>
 
-#include "random_scan.h"
+#include "place_memory_fixture.h"
 #include "temporary_folder.h"
 
 namespace place_memory::core {
 namespace {
 
 using Reason = PlaceMemoryError::Reason;
-
-constexpr double kHeadingWindow = 0.2;
-
-class PlaceMemoryTest : public testing::Test {
- protected:
-  Place learn(unsigned seed, const std::string& label) {
-    return memory_.learn(makeRandomScan(seed), label);
-  }
-  LabelledRecognition recognize(unsigned seed, const std::function<bool()>& cancelled = nullptr) {
-    return memory_.recognize(makeRandomScan(seed), kHeadingWindow, cancelled);
-  }
-  std::vector<std::string> labels() const {
-    std::vector<std::string> labels;
-    for (const Place& place : memory_.graph().places()) labels.push_back(place.label);
-    return labels;
-  }
-
-  // Random scans agree in most cells, and a place with its own scan in all 4096 of them.
-  static PlaceMemoryOptions options() {
-    PlaceMemoryOptions options;
-    options.recognizer.calibration.right = {-20.0, 0.0, 0.0, 0.0, 30.0};
-    options.recognizer.calibration.known = {-20.0};
-    return options;
-  }
-
-  PlaceMemory memory_{options()};
-};
 
 template <class Call>
 void expectRefused(Reason reason, const Call& call) {
@@ -202,37 +173,6 @@ TEST_F(PlaceMemoryTest, LinksToNoneAfterThePreviousPlaceWasForgottenOrRemoved) {
   EXPECT_TRUE(memory_.graph().links().empty());
 }
 
-TEST_F(PlaceMemoryTest, APlaceRemovedDuringTheMatchIsNotInTheAnswer) {
-  learn(1, "a");
-  learn(2, "b");
-  bool removed = false;
-  const LabelledRecognition answer = recognize(1, [&] {
-    if (!removed) memory_.remove("a");
-    removed = true;
-    return false;
-  });
-  ASSERT_TRUE(removed);
-  EXPECT_EQ(answer.labels, std::vector<std::string>{"b"});
-  EXPECT_NE(answer.recognition.verdict, Verdict::kRecognized);
-}
-
-TEST_F(PlaceMemoryTest, APlaceLearnedDuringTheMatchComesToTheNextOne) {
-  learn(1, "a");
-  bool learned = false;
-  const LabelledRecognition answer = recognize(2, [&] {
-    if (!learned) learn(2, "b");
-    learned = true;
-    return false;
-  });
-  EXPECT_EQ(answer.labels, std::vector<std::string>{"a"});
-  EXPECT_EQ(recognize(2).labels.front(), "b");
-}
-
-TEST_F(PlaceMemoryTest, AMatchCanBeCancelled) {
-  learn(1, "a");
-  EXPECT_THROW(recognize(1, [] { return true; }), std::runtime_error);
-}
-
 TEST_F(PlaceMemoryTest, RefusesAHeadingWindowOutOfRange) {
   learn(1, "a");
   const Scan scan = makeRandomScan(1);
@@ -240,36 +180,6 @@ TEST_F(PlaceMemoryTest, RefusesAHeadingWindowOutOfRange) {
   EXPECT_THROW(memory_.recognize(scan, 4.0), std::invalid_argument);
   EXPECT_THROW(memory_.recognize(scan, std::numeric_limits<double>::quiet_NaN()),
                std::invalid_argument);
-}
-
-TEST_F(PlaceMemoryTest, RecognizesWhileOthersLearnRenameAndRemove) {
-  learn(1, "a");
-  constexpr int kRounds = 60;
-  std::atomic<int> recognized{0};
-  std::thread learner([this] {
-    for (int i = 0; i < kRounds; ++i) {
-      learn(100 + static_cast<unsigned>(i), "passing");
-      memory_.rename("passing", "passed");
-      memory_.remove("passed");
-    }
-  });
-  std::thread reader([this] {
-    for (int i = 0; i < kRounds; ++i) EXPECT_GE(memory_.graph().size(), 1U);
-  });
-  std::vector<std::thread> clients;
-  for (int client = 0; client < 2; ++client) {
-    clients.emplace_back([this, &recognized] {
-      for (int i = 0; i < kRounds; ++i) {
-        const LabelledRecognition answer = recognize(1);
-        if (answer.labels.front() == "a") ++recognized;
-      }
-    });
-  }
-  learner.join();
-  reader.join();
-  for (std::thread& client : clients) client.join();
-  EXPECT_EQ(recognized, 2 * kRounds);
-  EXPECT_EQ(labels(), std::vector<std::string>{"a"});
 }
 
 class StoredPlaceMemoryTest : public testing::Test {

@@ -49,6 +49,41 @@ TEST(SweepCoverage, AtAStandstillTakesEverySensorOnce) {
   EXPECT_TRUE(coverage.done());
 }
 
+TEST(SweepCoverage, WaitsForTheSlowSensorsThatItKnows) {
+  SweepCoverage coverage(1, kStep, {"sonar_0", "sonar_1", "slow"});
+  for (int set = 0; set < 10; ++set) addSet(coverage, 2, 0.0);
+  EXPECT_FALSE(coverage.done());
+  coverage.add("slow", 0.0);
+  EXPECT_TRUE(coverage.done());
+}
+
+TEST(SweepCoverage, WaitsAtEachHeadingForTheSensorsHeardBefore) {
+  SweepCoverage coverage(2, kStep);
+  addSet(coverage, 3, 0.0);
+  for (int set = 0; set < 10; ++set) addSet(coverage, 2, kStep);
+  EXPECT_FALSE(coverage.done());
+  addSet(coverage, 3, kStep);
+  EXPECT_TRUE(coverage.done());
+}
+
+TEST(SweepCoverage, ASensorWhoseReadingsCannotBeUsedHasHadItsTurn) {
+  SweepCoverage coverage(1, kStep, {"sonar_0", "useless"});
+  coverage.skip("useless");
+  EXPECT_EQ(coverage.headings(), 0) << "no reading was used";
+  addSet(coverage, 1, 0.0);
+  addSet(coverage, 1, 0.0);
+  EXPECT_FALSE(coverage.done());
+  coverage.skip("useless");
+  EXPECT_TRUE(coverage.done());
+}
+
+TEST(SweepCoverage, DoesNotWaitForEverForASensorThatFellSilent) {
+  SweepCoverage coverage(2, kStep);
+  addSet(coverage, 3, 0.0);
+  for (int set = 0; set < 20; ++set) addSet(coverage, 2, kStep);
+  EXPECT_TRUE(coverage.done());
+}
+
 TEST(SweepCoverage, NeverEndsWhereNothingTurnsTheRobot) {
   SweepCoverage coverage(11, kStep);
   for (int set = 0; set < 100; ++set) addSet(coverage, 4, 0.001 * (set % 3));

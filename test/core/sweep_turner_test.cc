@@ -62,6 +62,12 @@ TEST(SweepTurner, GoesThroughAFullTurnAndEndsWhereItBegan) {
   EXPECT_NEAR(wrapAngle(r.yaw + 2.0), 0.0, 0.01);
 }
 
+TEST(SweepTurner, StepsSmallerThanARobotCanTurnComeToAnEnd) {
+  for (const double step : {0.001, 0.002, 0.003, 0.005}) {
+    EXPECT_NEAR(ride(5, step, 0.4, 2000).yaw, 0.4, 0.005) << step;
+  }
+}
+
 TEST(SweepTurner, ASingleHeadingNeedsNoTurn) {
   const Ride r = ride(1, kStep, 0.7);
   EXPECT_EQ(r.yaw, 0.7);

@@ -102,6 +102,79 @@ TEST_F(ScanCollectorTest, ASensorWhoseClockIsBehindDoesNotLookLikeTimeRunningBac
   EXPECT_FALSE(collector().failure());
 }
 
+TEST_F(ScanCollectorTest, SensorsWithoutAFrameDoNotLookLikeTimeRunningBackwards) {
+  begin();
+  sensor_msgs::Range m;
+  m.field_of_view = 0.4F;
+  m.max_range = 4.0F;
+  m.range = 1.0F;
+  for (const double stamp : {kStart + 2.0, kStart, kStart + 2.1}) {
+    m.header.stamp = ros::Time(stamp);
+    collector().addRange(m, ros::Time(kStart + 2.1));
+  }
+  EXPECT_FALSE(collector().failure());
+  EXPECT_FALSE(collector().takeTimeJump());
+  EXPECT_EQ(count(collector(), Reject::kBadSensor), 3U);
+}
+
+TEST_F(ScanCollectorTest, ReadingsOfAClockThatIsFarBehindAreCountedAndNamed) {
+  begin();
+  sensor_msgs::Range m;
+  m.header.stamp = ros::Time(kStart - 50.0);
+  m.header.frame_id = frame(1);
+  m.field_of_view = 0.4F;
+  m.max_range = 4.0F;
+  m.range = 1.0F;
+  collector().addRange(m, ros::Time(kStart + 0.5));
+  EXPECT_EQ(count(collector(), Reject::kOld), 1U);
+  const ScanOutcome outcome = outcomeAfter(1.0);
+  EXPECT_EQ(outcome.status, ScanStatus::kTooFewReadings);
+  EXPECT_NE(outcome.message.find("sonar_1 are stamped 50.5 s before"), std::string::npos)
+      << outcome.message;
+  EXPECT_EQ(outcome.message.find("published"), std::string::npos) << outcome.message;
+}
+
+TEST_F(ScanCollectorTest, ReadingsFromJustBeforeTheScanAreNotCounted) {
+  begin();
+  sensor_msgs::Range m;
+  m.header.stamp = ros::Time(kStart - 0.1);
+  m.header.frame_id = frame(1);
+  m.field_of_view = 0.4F;
+  m.max_range = 4.0F;
+  m.range = 1.0F;
+  collector().addRange(m, ros::Time(kStart + 0.1));
+  EXPECT_EQ(collector().rejected(), RejectCounts{});
+}
+
+TEST_F(ScanCollectorTest, ACompassWhoseClockIsFarBehindIsNamed) {
+  odometry(kStart, {});
+  odometry(kStart + 1.0, {});
+  begin();
+  sensor_msgs::Imu m;
+  m.header.stamp = ros::Time(kStart - 50.0);
+  m.orientation.w = 1.0;
+  collector().addHeading(m, ros::Time(kStart + 0.5));
+  for (int i = 0; i < 8; ++i) range(kStart + 0.1 * i, i % kSensors, 1.0);
+  const ScanOutcome outcome = outcomeAfter(0.9);
+  EXPECT_EQ(outcome.status, ScanStatus::kNoHeading);
+  EXPECT_NE(outcome.message.find("headings are stamped 50.5 s before"), std::string::npos)
+      << outcome.message;
+}
+
+TEST_F(ScanCollectorTest, AScanWaitsForTheSensorsHeardShortlyBefore) {
+  buffer_.setTransform(transform("odom", "base_link", {}, kStart), "test", true);
+  for (int k = 0; k < kSensors; ++k) range(kStart - 1.0, k, 1.0);
+  begin(1);
+  for (int i = 1; i <= 8; ++i) range(kStart + 0.05 * i, i % 2, 1.0);
+  process(kStart + 0.5);
+  EXPECT_EQ(collector().readings(), 8U);
+  EXPECT_FALSE(collector().coverage().done());
+  range(kStart + 0.6, 2, 1.0);
+  range(kStart + 0.6, 3, std::nan(""));
+  process(kStart + 0.7);
+  EXPECT_TRUE(collector().coverage().done());
+}
+
 TEST_F(ScanCollectorTest, AStampAtTheEndOfTimeEndsNothing) {
   buffer_.setTransform(transform("odom", "base_link", {}, kStart), "test", true);
   begin();

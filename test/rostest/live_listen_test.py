@@ -85,9 +85,25 @@ class LiveListenTest(live_test.LiveTestCase):
 
     def test_too_few_readings(self):
         self.start_node(scan__min_readings=1000)
-        scan = self.begin_scan(headings=1)
+        scan = self.begin_scan(headings=1, timeout=rospy.Duration(2))
         self.assert_ended(scan, GoalStatus.ABORTED, ScanPlaceResult.TOO_FEW_READINGS,
                           "1000 are needed")
+
+    def test_few_sensors_are_heard_until_there_are_readings_enough(self):
+        self.start_node(scan__min_readings=8)
+        self.robot.edit_range = lambda sensor, message: message if sensor < 3 else None
+        result = self.assert_ended(self.begin_scan(headings=1), GoalStatus.SUCCEEDED,
+                                   ScanPlaceResult.SUCCEEDED)
+        self.assertGreaterEqual(result.readings, 8)
+
+    def test_a_sensor_whose_clock_is_behind_is_named(self):
+        def behind(sensor, message):
+            message.header.stamp -= rospy.Duration(500)
+            return message
+        self.start_node()
+        self.robot.edit_range = behind
+        scan = self.begin_scan(headings=1, timeout=rospy.Duration(2))
+        self.assert_ended(scan, GoalStatus.ABORTED, ScanPlaceResult.TIMEOUT, "stamped", "clock")
 
     def test_no_heading(self):
         for odom_frame in ("odom", ""):

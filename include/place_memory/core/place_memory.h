@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_CORE_PLACE_MEMORY_H
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -53,6 +54,9 @@ struct PlaceMemoryOptions {
 struct LabelledRecognition {
   Recognition recognition;
   std::vector<std::string> labels;
+  /// Since it was asked for, the robot learned or recognized a newer scan, or was carried: it does
+  /// not say where the robot is now.
+  bool superseded = false;
 };
 
 /// Learns places, recognizes them, and keeps them in the topological/metric map (paper 3, 4).
@@ -115,6 +119,8 @@ class PlaceMemory {
   PlaceGraph graph_;
   PlaceIndex index_;
   PlaceId previous_ = kNoPlace;
+  std::uint64_t questions_ = 0;      ///< that were asked about where the robot is
+  std::uint64_t newest_answer_ = 0;  ///< the one of them that is answered
   std::optional<std::chrono::nanoseconds> last_folded_;  ///< when that scan ended
 };
 

@@ -34,8 +34,8 @@ class SweepTurner {
   int headings_;
   double step_;
   double max_rate_;
-  double tolerance_;
-  double first_;  // heading of the sweep, from where the robot began [rad]
+  double tolerance_;  // at a heading of the sweep [rad]
+  double first_;      // heading of the sweep, from where the robot began [rad]
   Phase phase_ = Phase::kToFirst;
   std::optional<double> last_yaw_;
   double turned_ = 0.0;  // since the robot began [rad]

@@ -49,7 +49,7 @@ class PlaceMemoryNode {
   ScanServer scan_server_;
   PlaceServices services_;
   diagnostic_updater::Updater diagnostics_;
-  ros::WallTimer diagnostics_timer_;
+  ros::SteadyTimer diagnostics_timer_;
   int ticks_without_time_ = 0;
 };
 

@@ -19,6 +19,7 @@ enum class Reject {
   kFixedDistance,  ///< finite, from a sensor whose min_range is its max_range (REP 117)
   kBadSensor,      ///< the sensor's own limits make no sense
   kNoStamp,        ///< stamp is 0
+  kOld,            ///< stamped before the scan began, and long before the message came
   kVertical,       ///< the sensor looks up or down
   kNoTransform,    ///< of the sensor at its stamp
   kNoOdometry,     ///< at its stamp

@@ -94,6 +94,7 @@ class ScanCollector {
     core::SonarReading reading;
   };
 
+  std::optional<Reject> rejectIfOld(const sensor_msgs::Range& message, const ros::Time& received);
   bool usesOdometry() const { return !parameters_.odom_frame.empty(); }
   std::optional<core::Pose2d> basePose(const ros::Time& stamp, std::string& problem) const;
   std::optional<Reject> place(const Pending& pending, std::string& problem);

@@ -28,6 +28,7 @@ struct Sweep {
   std::optional<core::SweepTurner> turner;
   std::size_t readings = 0;  // used when last_reading was
   ros::Time last_reading;
+  double longest_silence = 0.0;  // between readings so far [s]
 };
 
 /// The action ~scan, and the subscriptions it needs.
@@ -70,7 +71,7 @@ class ScanServer {
   void onRange(const sensor_msgs::Range::ConstPtr& message);
   void onHeading(const sensor_msgs::Imu::ConstPtr& message);
 
-  void update(const ros::WallTimerEvent& event);
+  void update(const ros::SteadyTimerEvent& event);
   bool timeRanBackwards(const ros::Time& now);
   bool clockStands(const ros::Time& now);
   void start(const ros::Time& now);
@@ -91,9 +92,9 @@ class ScanServer {
   std::optional<Sweep> sweep_;
   bool moving_ = false;
   ros::Time clock_;
-  ros::WallTime clock_changed_;
-  ros::WallTime last_feedback_;
-  ros::WallTime next_partial_;
+  ros::SteadyTime clock_changed_;
+  ros::SteadyTime last_feedback_;
+  ros::SteadyTime next_partial_;
 
   ros::CallbackQueue queue_;
   ros::NodeHandle names_;
@@ -102,7 +103,7 @@ class ScanServer {
   std::unique_ptr<Server> server_;
   Server::GoalHandle goal_;  // of sweep_
   std::vector<ros::Subscriber> subscribers_;
-  ros::WallTimer timer_;
+  ros::SteadyTimer timer_;
   std::unique_ptr<ros::AsyncSpinner> spinner_;
 };
 
