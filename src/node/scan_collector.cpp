@@ -66,6 +66,7 @@ void ScanCollector::drop() {
   pending_ranges_.clear();
   compass_offset_ = {};
   placed_.clear();
+  longest_gap_ = 0.0;
   rejected_.fill(0);
   closed_ = false;
   scan_problem_.clear();
@@ -207,22 +208,22 @@ std::optional<Reject> ScanCollector::place(const Pending& pending, std::string& 
 }
 
 void ScanCollector::use(const std::string& frame, const Placed& reading) {
-  if (usesOdometry() && jumped(reading)) {
+  // ros::Duration would not hold how far a wrong stamp may be off.
+  const double gap =
+      placed_.empty() ? 0.0 : std::abs(reading.stamp.toSec() - placed_.back().stamp.toSec());
+  if (usesOdometry() && jumped(reading, gap)) {
     fail(ScanStatus::kOdometryJump,
          "odometry (" + parameters_.odom_frame + " to " + parameters_.base_frame +
              ") jumped between two readings: the scan is dropped; scan again");
     return;
   }
   coverage_->add(frame, reading.base.yaw);
+  longest_gap_ = std::max(longest_gap_, gap);
   placed_.push_back(reading);
 }
 
-bool ScanCollector::jumped(const Placed& reading) const {
-  if (placed_.empty()) return false;
-  const Placed& last = placed_.back();
-  // ros::Duration would not hold how far a wrong stamp may be off.
-  return core::odometryJumped(last.base, reading.base,
-                              std::abs(reading.stamp.toSec() - last.stamp.toSec()));
+bool ScanCollector::jumped(const Placed& reading, double gap) const {
+  return !placed_.empty() && core::odometryJumped(placed_.back().base, reading.base, gap);
 }
 
 void ScanCollector::process(const ros::Time& now) {

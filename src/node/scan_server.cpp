@@ -173,15 +173,14 @@ void ScanServer::start(const ros::Time& now) {
 }
 
 void ScanServer::listen(const ros::Time& now) {
-  const double silence = (now - sweep_->last_reading).toSec();
   if (collector_.readings() != sweep_->readings) {
-    if (sweep_->readings > 0) sweep_->longest_silence = std::max(sweep_->longest_silence, silence);
     sweep_->readings = collector_.readings();
     sweep_->last_reading = now;
   }
+  const double silence = (now - sweep_->last_reading).toSec();
   if (collector_.readings() < static_cast<std::size_t>(parameters_.scan.min_readings)) return;
   const core::SweepCoverage& coverage = collector_.coverage();
-  const bool silent = silence > std::max(kSilence, 2.0 * sweep_->longest_silence);
+  const bool silent = silence > std::max(kSilence, 2.0 * collector_.longestGap());
   if (coverage.done() || (silent && coverage.headings() >= coverage.target())) {
     end(collector_.outcome(now), now);
   }

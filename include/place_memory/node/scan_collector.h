@@ -66,6 +66,8 @@ class ScanCollector {
   std::optional<core::Scan> snapshot(const ros::Time& end) const;
 
   std::size_t readings() const { return placed_.size(); }
+  /// Between the stamps of one used reading and the next [s].
+  double longestGap() const { return longest_gap_; }
   /// Readings left out of the scan, by Reject.
   const RejectCounts& rejected() const { return rejected_; }
   /// Only while collecting.
@@ -99,7 +101,7 @@ class ScanCollector {
   std::optional<core::Pose2d> basePose(const ros::Time& stamp, std::string& problem) const;
   std::optional<Reject> place(const Pending& pending, std::string& problem);
   bool tooEarly(const Pending& pending) const;
-  bool jumped(const Placed& reading) const;
+  bool jumped(const Placed& reading, double gap) const;
   void use(const std::string& frame, const Placed& reading);
   void reject(const std::string& frame, Reject reason);
   void fail(ScanStatus status, const std::string& message);
@@ -126,6 +128,7 @@ class ScanCollector {
   std::deque<Pending> pending_ranges_;
   CompassOffset compass_offset_;
   std::vector<Placed> placed_;
+  double longest_gap_ = 0.0;
   RejectCounts rejected_{};
   bool closed_ = false;
   std::string scan_problem_;  // the latest

@@ -28,7 +28,6 @@ struct Sweep {
   std::optional<core::SweepTurner> turner;
   std::size_t readings = 0;  // used when last_reading was
   ros::Time last_reading;
-  double longest_silence = 0.0;  // between readings so far [s]
 };
 
 /// The action ~scan, and the subscriptions it needs.
