@@ -29,7 +29,8 @@ void SweepCoverage::add(const std::string& sensor, double base_yaw) {
 }
 
 void SweepCoverage::skip(const std::string& sensor) {
-  if (last_yaw_) takeTurn(sensor);
+  // Others are not waited for, and may be without number.
+  if (last_yaw_ && sensors_.count(sensor) > 0) takeTurn(sensor);
 }
 
 void SweepCoverage::takeTurn(const std::string& sensor) {

@@ -218,7 +218,7 @@ void ScanCollector::use(const std::string& frame, const Placed& reading) {
     return;
   }
   coverage_->add(frame, reading.base.yaw);
-  longest_gap_ = std::max(longest_gap_, gap);
+  longest_gap_ = std::max(longest_gap_, std::min(gap, kLately));
   placed_.push_back(reading);
 }
 

@@ -66,7 +66,7 @@ class ScanCollector {
   std::optional<core::Scan> snapshot(const ros::Time& end) const;
 
   std::size_t readings() const { return placed_.size(); }
-  /// Between the stamps of one used reading and the next [s].
+  /// Between the stamps of one used reading and the next, at most two seconds [s].
   double longestGap() const { return longest_gap_; }
   /// Readings left out of the scan, by Reject.
   const RejectCounts& rejected() const { return rejected_; }
