@@ -69,14 +69,18 @@ class ScanCollectorTest : public testing::Test {
   }
 
   void range(double stamp, int sensor, double value) {
+    rangeReceived(stamp, frame(sensor), value, stamp);
+  }
+
+  void rangeReceived(double stamp, const std::string& frame_id, double value, double received) {
     sensor_msgs::Range m;
     m.header.stamp = ros::Time(stamp);
-    m.header.frame_id = frame(sensor);
+    m.header.frame_id = frame_id;
     m.field_of_view = 0.4F;
     m.min_range = 0.1F;
     m.max_range = 4.0F;
     m.range = static_cast<float>(value);
-    collector().addRange(m, ros::Time(stamp));
+    collector().addRange(m, ros::Time(received));
   }
 
   void process(double now) { collector().process(ros::Time(now)); }

@@ -70,13 +70,7 @@ TEST_F(ScanCollectorTest, OneStampFarAheadDoesNotLookLikeTimeRunningBackwards) {
   odometry(kStart, {});
   odometry(kStart + 1, {});
   begin();
-  sensor_msgs::Range m;
-  m.header.stamp = ros::Time(kStart + 1e6);
-  m.header.frame_id = "sonar_1";
-  m.field_of_view = 0.4F;
-  m.max_range = 4.0F;
-  m.range = 1.0F;
-  collector().addRange(m, ros::Time(kStart));
+  rangeReceived(kStart + 1e6, frame(1), 1.0, kStart);
   range(kStart + 0.3, 0, 1.0);
   process(kStart + 0.9);
   EXPECT_FALSE(collector().failure());
@@ -104,13 +98,8 @@ TEST_F(ScanCollectorTest, ASensorWhoseClockIsBehindDoesNotLookLikeTimeRunningBac
 
 TEST_F(ScanCollectorTest, SensorsWithoutAFrameDoNotLookLikeTimeRunningBackwards) {
   begin();
-  sensor_msgs::Range m;
-  m.field_of_view = 0.4F;
-  m.max_range = 4.0F;
-  m.range = 1.0F;
   for (const double stamp : {kStart + 2.0, kStart, kStart + 2.1}) {
-    m.header.stamp = ros::Time(stamp);
-    collector().addRange(m, ros::Time(kStart + 2.1));
+    rangeReceived(stamp, "", 1.0, kStart + 2.1);
   }
   EXPECT_FALSE(collector().failure());
   EXPECT_FALSE(collector().takeTimeJump());
@@ -119,13 +108,7 @@ TEST_F(ScanCollectorTest, SensorsWithoutAFrameDoNotLookLikeTimeRunningBackwards)
 
 TEST_F(ScanCollectorTest, ReadingsOfAClockThatIsFarBehindAreCountedAndNamed) {
   begin();
-  sensor_msgs::Range m;
-  m.header.stamp = ros::Time(kStart - 50.0);
-  m.header.frame_id = frame(1);
-  m.field_of_view = 0.4F;
-  m.max_range = 4.0F;
-  m.range = 1.0F;
-  collector().addRange(m, ros::Time(kStart + 0.5));
+  rangeReceived(kStart - 50.0, frame(1), 1.0, kStart + 0.5);
   EXPECT_EQ(count(collector(), Reject::kOld), 1U);
   const ScanOutcome outcome = outcomeAfter(1.0);
   EXPECT_EQ(outcome.status, ScanStatus::kTooFewReadings);
@@ -136,13 +119,7 @@ TEST_F(ScanCollectorTest, ReadingsOfAClockThatIsFarBehindAreCountedAndNamed) {
 
 TEST_F(ScanCollectorTest, ReadingsFromJustBeforeTheScanAreNotCounted) {
   begin();
-  sensor_msgs::Range m;
-  m.header.stamp = ros::Time(kStart - 0.1);
-  m.header.frame_id = frame(1);
-  m.field_of_view = 0.4F;
-  m.max_range = 4.0F;
-  m.range = 1.0F;
-  collector().addRange(m, ros::Time(kStart + 0.1));
+  rangeReceived(kStart - 0.1, frame(1), 1.0, kStart + 0.1);
   EXPECT_EQ(collector().rejected(), RejectCounts{});
 }
 
