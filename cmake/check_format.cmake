@@ -1,7 +1,7 @@
 # Fails where a source differs from what .clang-format asks for.
 # usage: cmake -DCLANG_FORMAT=<program> -DSOURCE_DIR=<package> -P check_format.cmake
 set(globs)
-foreach(folder benchmark include src test)
+foreach(folder include lab src test)
   foreach(extension h cpp cc)
     list(APPEND globs ${SOURCE_DIR}/${folder}/*.${extension})
   endforeach()

@@ -1,10 +1,10 @@
-#include "place_memory/config/load_parameters.h"
+#include "config/load_parameters.h"
 
 #include <set>
 #include <sstream>
 
+#include "config/parameter_reader.h"
 #include "place_memory/config/match_preset.h"
-#include "place_memory/config/parameter_reader.h"
 
 namespace place_memory::config {
 namespace {

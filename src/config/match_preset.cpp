@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "config/parameter_reader.h"
 #include "embedded_presets.h"
-#include "place_memory/config/parameter_reader.h"
 
 namespace place_memory::config {
 namespace {

@@ -1,4 +1,4 @@
-#include "place_memory/config/parameter_reader.h"
+#include "config/parameter_reader.h"
 
 #include <cmath>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "place_memory/node/conversions.h"
+#include "node/conversions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@
 #include <iostream>
 #include <string>
 
-#include "place_memory/node/parameter_server.h"
-#include "place_memory/node/place_memory_node.h"
+#include "node/parameter_server.h"
+#include "node/place_memory_node.h"
 
 namespace {
 

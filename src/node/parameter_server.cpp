@@ -1,10 +1,10 @@
-#include "place_memory/node/parameter_server.h"
+#include "node/parameter_server.h"
 
 #include <limits>
 #include <sstream>
 #include <string>
 
-#include "place_memory/node/node_names.h"
+#include "node/node_names.h"
 
 namespace place_memory::node {
 namespace {

@@ -1,9 +1,9 @@
-#include "place_memory/node/place_memory_node.h"
+#include "node/place_memory_node.h"
 
 #include <ros/console.h>
 
-#include "place_memory/node/memory_diagnostics.h"
-#include "place_memory/node/sonar_diagnostics.h"
+#include "node/map/memory_diagnostics.h"
+#include "node/scan/sonar_diagnostics.h"
 
 namespace place_memory::node {
 namespace {

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "config/parameter_reader.h"
+#include "node/parameter_server.h"
 #include "place_memory/config/parameter_error.h"
-#include "place_memory/config/parameter_reader.h"
-#include "place_memory/node/parameter_server.h"
-#include "place_memory/sim/world_loader.h"
+#include "sim/world/world_loader.h"
 
 namespace place_memory::sim_node {
 namespace {

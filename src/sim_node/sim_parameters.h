@@ -4,8 +4,8 @@
 #include <ros/node_handle.h>
 
 #include "place_memory/core/pose2d.h"
-#include "place_memory/sim/simulation.h"
-#include "place_memory/sim/world.h"
+#include "sim/robot/simulation.h"
+#include "sim/world/world.h"
 
 namespace place_memory::sim_node {
 

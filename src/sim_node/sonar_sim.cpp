@@ -11,7 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "place_memory/node/conversions.h"
+#include "node/conversions.h"
 #include "sim_node/world_markers.h"
 
 namespace place_memory::sim_node {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "place_memory/sim/simulation.h"
+#include "sim/robot/simulation.h"
 #include "sim_node/sim_parameters.h"
 
 namespace place_memory::sim_node {

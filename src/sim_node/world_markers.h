@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "place_memory/sim/scene.h"
+#include "sim/scene/scene.h"
 
 namespace place_memory::sim_node {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "place_memory/config/parameters.h"
-#include "place_memory/node/scan_collector.h"
+#include "config/parameters.h"
+#include "node/scan/scan_collector.h"
 
 namespace place_memory::tools {
 

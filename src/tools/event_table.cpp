@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "place_memory/core/pose2d.h"
-#include "tools/csv.h"
+#include "support/csv.h"
 
 namespace place_memory::tools {
 namespace {
@@ -63,10 +63,10 @@ std::vector<Event> readEvents(std::istream& table, const std::string& source,
   std::vector<Event> events;
   int line = 0;
   try {
-    if (readRecord(table, line) != kColumns) {
+    if (support::readRecord(table, line) != kColumns) {
       throw std::runtime_error("must be the header start,end,action,label,heading_window");
     }
-    while (const auto fields = readRecord(table, line)) {
+    while (const auto fields = support::readRecord(table, line)) {
       if (fields->size() == 1 && fields->front().empty()) continue;  // an empty line
       events.push_back(readEvent(*fields, heading_window));
     }

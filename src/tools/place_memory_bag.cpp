@@ -7,11 +7,11 @@
 #include <iostream>
 #include <optional>
 
-#include "place_memory/config/load_parameters.h"
+#include "config/load_parameters.h"
 #include "place_memory/core/place_memory.h"
+#include "support/progress_bar.h"
 #include "tools/bag_scanner.h"
 #include "tools/event_table.h"
-#include "tools/progress_bar.h"
 #include "tools/result_table.h"
 
 namespace place_memory::tools {
@@ -81,7 +81,7 @@ void process(const Arguments& arguments) {
   if (!table) throw std::runtime_error("cannot write the results " + arguments.out);
 
   std::size_t failed = 0;
-  ProgressBar bar(events.size(), "events", std::cerr);
+  support::ProgressBar bar(events.size(), "events", std::cerr);
   for (std::size_t i = 0; i < events.size() && table; ++i) {
     bar.show(i);
     const node::ScanOutcome outcome = scanner.scan(events[i].start, events[i].end);

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <iomanip>
 
-#include "tools/csv.h"
+#include "support/csv.h"
 
 namespace place_memory::tools {
 namespace {
@@ -83,7 +83,7 @@ void writeRow(const Event& event, const Result& result, std::ostream& table) {
   const bool ok = result.status == "ok";
   table << std::fixed << std::setprecision(3) << event.start.toSec() << ','
         << (event.action == Action::kLearn ? "learn" : "recognize") << ',' << result.status << ','
-        << result.verdict << ',' << csvField(result.place) << ',';
+        << result.verdict << ',' << support::csvField(result.place) << ',';
   if (result.matched) table << result.score;
   table << ',' << std::setprecision(4);
   if (result.matched) table << result.probability;

@@ -1,10 +1,10 @@
-#include "place_memory/config/load_parameters.h"
+#include "config/load_parameters.h"
 
 #include <gtest/gtest.h>
 
 #include <ostream>
 
-#include "../core/temporary_folder.h"
+#include "core/temporary_folder.h"
 #include "place_memory/config/match_preset.h"
 
 namespace place_memory::config {

@@ -26,7 +26,7 @@ inline Scan makeRandomScan(unsigned seed, double cell_size = kDefaultCellSize) {
       scan.grid.add(along_x ? row : row + i, along_x ? column + i : column, 70);
     }
   }
-  scan.map_from_scan = {below(1000) * 0.1, below(1000) * 0.1, below(60) * 0.1 - 3.0};
+  scan.odom_from_scan = {below(1000) * 0.1, below(1000) * 0.1, below(60) * 0.1 - 3.0};
   scan.end = std::chrono::seconds(1000 + seed);
   return scan;
 }

@@ -1,4 +1,4 @@
-#include "place_memory/node/conversions.h"
+#include "node/conversions.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "place_memory/node/place_markers.h"
+#include "node/map/place_markers.h"
 
 namespace place_memory::node {
 namespace {

@@ -1,4 +1,4 @@
-#include "place_memory/node/parameter_server.h"
+#include "node/parameter_server.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "place_memory/sim/building_generator.h"
+#include "sim/building/building_generator.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "place_memory/sim/random_robot.h"
-#include "place_memory/sim/simulated_scan.h"
-#include "place_memory/sim/world_loader.h"
+#include "sim/robot/random_robot.h"
+#include "sim/senses/simulated_scan.h"
+#include "sim/world/world_loader.h"
 
 namespace place_memory::sim {
 namespace {

@@ -1,11 +1,11 @@
-#include "place_memory/sim/scene.h"
+#include "sim/scene/scene.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "place_memory/sim/building_generator.h"
-#include "place_memory/sim/random.h"
+#include "sim/building/building_generator.h"
+#include "sim/robot/random.h"
 
 namespace place_memory::sim {
 namespace {

@@ -1,10 +1,10 @@
-#include "place_memory/sim/simulation.h"
+#include "sim/robot/simulation.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "place_memory/sim/world_loader.h"
+#include "sim/world/world_loader.h"
 
 namespace place_memory::sim {
 namespace {

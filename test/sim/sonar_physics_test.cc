@@ -1,10 +1,10 @@
-#include "place_memory/sim/sonar_physics.h"
+#include "sim/senses/sonar_physics.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "place_memory/sim/laser_model.h"
+#include "sim/senses/laser_model.h"
 
 namespace place_memory::sim {
 namespace {

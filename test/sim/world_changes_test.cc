@@ -1,9 +1,9 @@
-#include "place_memory/sim/world_changes.h"
+#include "sim/world/world_changes.h"
 
 #include <gtest/gtest.h>
 
-#include "place_memory/sim/simulated_scan.h"
-#include "place_memory/sim/world_loader.h"
+#include "sim/senses/simulated_scan.h"
+#include "sim/world/world_loader.h"
 
 namespace place_memory::sim {
 namespace {

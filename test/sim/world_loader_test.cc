@@ -1,8 +1,8 @@
-#include "place_memory/sim/world_loader.h"
+#include "sim/world/world_loader.h"
 
 #include <gtest/gtest.h>
 
-#include "place_memory/sim/scene.h"
+#include "sim/scene/scene.h"
 
 namespace place_memory::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "tools/csv.h"
+#include "support/csv.h"
 
 namespace place_memory::tools {
 namespace {

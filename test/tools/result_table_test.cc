@@ -6,8 +6,8 @@
 #include <csignal>
 #include <sstream>
 
-#include "../core/random_room.h"
-#include "../core/temporary_folder.h"
+#include "core/random_room.h"
+#include "core/temporary_folder.h"
 
 namespace place_memory::tools {
 namespace {

@@ -5,13 +5,10 @@
 #include <cstdint>
 #include <string>
 
+#include "place_memory/core/place_id.h"
 #include "place_memory/core/pose2d.h"
 
 namespace place_memory::core {
-
-/// Never given twice by one store, even after its place was removed.
-using PlaceId = std::int64_t;
-constexpr PlaceId kNoPlace = 0;
 
 /// A node of the topological/metric map (paper 3). Its evidence grid stays in the store.
 struct Place {

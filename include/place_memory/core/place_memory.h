@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "place_memory/core/grid_fusion.h"
+#include "core/grid/grid_fusion.h"
+#include "core/index/place_index.h"
+#include "core/recognize/recognizer.h"
+#include "core/store/place_store.h"
 #include "place_memory/core/place_graph.h"
-#include "place_memory/core/place_index.h"
-#include "place_memory/core/place_store.h"
 #include "place_memory/core/recognition.h"
-#include "place_memory/core/recognizer.h"
 #include "place_memory/core/scan.h"
 #include "place_memory/core/sonar_model.h"
 

@@ -3,19 +3,12 @@
 
 #include <optional>
 
-#include "place_memory/core/match_metric.h"
-#include "place_memory/core/second_look.h"
-#include "place_memory/core/verdict.h"
+#include "core/match/match_metric.h"
+#include "core/recognize/second_look.h"
+#include "core/recognize/verdict.h"
+#include "place_memory/core/search_method.h"
 
 namespace place_memory::core {
-
-/// How the alignment of each place is sought.
-enum class SearchMethod {
-  kNearestNeighbour,  ///< no translation, no rotation: the paper's baseline (paper 5)
-  kHillClimbing,      ///< multiresolution, one climb from the compass heading (paper 4)
-  kRestarts,          ///< hill climbing from several headings and positions (paper 4, last lines)
-  kExhaustive,        ///< every transform in the window: the oracle
-};
 
 struct RecognizerOptions {
   SearchMethod method = SearchMethod::kRestarts;

@@ -18,7 +18,7 @@ struct Scan {
   std::vector<SonarReading> readings;
   EvidenceGrid grid;  ///< of those readings, in the scan frame
   /// Pose of the scan frame in the odometry frame; identity where there is no odometry.
-  Pose2d map_from_scan;
+  Pose2d odom_from_scan;
   Pose2d robot_in_scan;  ///< where the robot's base stood when the scan ended
   std::chrono::nanoseconds begin{0};
   std::chrono::nanoseconds end{0};

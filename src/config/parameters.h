@@ -1,0 +1,62 @@
+#ifndef PLACE_MEMORY_CONFIG_PARAMETERS_H
+#define PLACE_MEMORY_CONFIG_PARAMETERS_H
+
+#include <string>
+#include <vector>
+
+#include "core/grid/grid_fusion.h"
+#include "place_memory/core/grid_geometry.h"
+#include "place_memory/core/pose2d.h"
+#include "place_memory/core/recognizer_options.h"
+#include "place_memory/core/sonar_model.h"
+
+namespace place_memory::config {
+
+/// Who turns the robot during a scan.
+enum class Turn {
+  kListen,  ///< something else, or nothing
+  kCmdVel,  ///< the node, through cmd_vel
+};
+
+/// The least ScanOptions::step [rad].
+constexpr double kLeastStep = 0.001;
+
+/// How a scan is taken (paper 3.1.4). config/place_memory.yaml says more of each.
+struct ScanOptions {
+  int headings = 11;
+  double step = core::kPi / 90.0;  ///< [rad]
+  Turn turn = Turn::kListen;
+  double turn_rate = 0.2;  ///< [rad/s]
+  double timeout = 60.0;   ///< [s]
+  int min_readings = 8;
+  double tf_timeout = 0.5;       ///< [s]
+  double heading_timeout = 1.0;  ///< [s]
+  bool over_range_is_no_echo = false;
+};
+
+/// How a scan is matched against the learned places (paper 4).
+struct MatchOptions {
+  std::string preset = "evidence";          ///< evidence, paper, or the path of a preset file
+  core::RecognizerOptions recognizer;       ///< with what that preset holds
+  double heading_window = core::kPi / 4.0;  ///< [rad]
+};
+
+/// Everything that can be set, with its default. config/place_memory.yaml documents every one.
+struct Parameters {
+  std::string odom_frame = "odom";  ///< empty: no odometry
+  std::string base_frame = "base_link";
+  std::string map_frame = "map";
+  std::vector<std::string> sonar_topics = {"sonar"};
+  std::string heading_topic = "heading";
+  std::string store;  ///< path; empty: in memory only
+
+  core::GridGeometry grid;
+  core::SonarModelOptions sonar;
+  ScanOptions scan;
+  MatchOptions match;
+  core::AdaptationOptions places;
+};
+
+}  // namespace place_memory::config
+
+#endif  // PLACE_MEMORY_CONFIG_PARAMETERS_H

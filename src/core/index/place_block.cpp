@@ -1,0 +1,57 @@
+#include "core/index/place_block.h"
+
+#include <algorithm>
+
+#include "core/kernels/coarse_planes.h"
+
+namespace place_memory::core {
+namespace {
+
+std::uint16_t countCells(const BitPlane& plane) {
+  int cells = 0;
+  for (const std::uint64_t row : plane) cells += __builtin_popcountll(row);
+  return static_cast<std::uint16_t>(cells);
+}
+
+}  // namespace
+
+std::size_t PlaceBlock::slotOf(PlaceId id) const {
+  const auto* place = std::lower_bound(
+      begin(), end(), id, [](const PlaceEntry& entry, PlaceId key) { return entry.id < key; });
+  return static_cast<std::size_t>(place - begin());
+}
+
+bool PlaceBlock::holds(PlaceId id) const {
+  const std::size_t slot = slotOf(id);
+  return slot < size_ && entries_[slot].id == id;
+}
+
+void PlaceBlock::replace(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells) {
+  entries_[slot] = entry;
+  totals_[slot] = {countCells(cells.occupied), countCells(cells.empty)};
+  planes_.set(slot, cells);
+  std::array<QueryRow, kCoarsestRows> coarsest;
+  coarsenMost(cells, coarsest.data());
+  for (std::size_t row = 0; row < kCoarsestRows; ++row) {
+    coarsest_[row].occupied[slot] = coarsest[row].occupied;
+    coarsest_[row].empty[slot] = coarsest[row].empty;
+  }
+}
+
+void PlaceBlock::insert(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells) {
+  for (std::size_t to = size_; to > slot; --to) {
+    replace(to, entries_[to - 1], planes_.get(to - 1));
+  }
+  replace(slot, entry, cells);
+  ++size_;
+}
+
+void PlaceBlock::erase(std::size_t slot) {
+  --size_;
+  for (std::size_t to = slot; to < size_; ++to) {
+    replace(to, entries_[to + 1], planes_.get(to + 1));
+  }
+  replace(size_, {}, {});
+}
+
+}  // namespace place_memory::core

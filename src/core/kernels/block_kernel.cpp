@@ -1,0 +1,73 @@
+#include "core/kernels/block_kernel.h"
+
+namespace place_memory::core {
+namespace {
+
+std::int64_t popcount(std::uint64_t word) { return __builtin_popcountll(word); }
+
+/// One source for every processor that counts the bits of a word at a time.
+[[gnu::always_inline]] inline std::int64_t scorePlace(const KernelInput& input,
+                                                      const QueryRow* query, std::size_t place) {
+  std::int64_t oo = 0, oe = 0, eo = 0, ee = 0;
+  // A row is few instructions, and compilers leave a loop of unknown length as it is.
+#pragma GCC unroll 4
+  for (std::size_t row = 0; row < input.rows; ++row) {
+    const std::uint64_t learned_o = input.places[row].occupied[place];
+    const std::uint64_t learned_e = input.places[row].empty[place];
+    oo += popcount(query[row].occupied & learned_o);
+    oe += popcount(query[row].occupied & learned_e);
+    eo += popcount(query[row].empty & learned_o);
+    ee += popcount(query[row].empty & learned_e);
+  }
+  const PairFactors& factors = input.factors;
+  return factors.occupied_occupied * oo + factors.occupied_empty * oe +
+         factors.empty_occupied * eo + factors.empty_empty * ee;
+}
+
+[[gnu::always_inline]] inline BlockBest scoreBlock(const KernelInput& input, BlockScores* scores) {
+  for (std::size_t t = 0; t < input.transforms; ++t) {
+    for (std::size_t place = 0; place < kBlockPlaces; ++place) {
+      scores[t][place] = input.offsets[t] + scorePlace(input, input.query + t * input.rows, place);
+    }
+  }
+  return bestOf(scores, input.transforms);
+}
+
+BlockBest scoreBlockPortable(const KernelInput& input, BlockScores* scores) {
+  return scoreBlock(input, scores);
+}
+
+}  // namespace
+
+#if defined(__x86_64__)
+[[gnu::target("popcnt")]] BlockBest scoreBlockPopcnt(const KernelInput& input,
+                                                     BlockScores* scores) {
+  return scoreBlock(input, scores);
+}
+#endif
+
+std::vector<NamedKernel> blockKernels() {
+  std::vector<NamedKernel> kernels{{"portable", scoreBlockPortable, true}};
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  const bool popcnt = __builtin_cpu_supports("popcnt") != 0;
+  const bool avx2 = __builtin_cpu_supports("avx2") != 0;
+  const bool avx512 = __builtin_cpu_supports("avx512vpopcntdq") != 0;
+  kernels.push_back({"popcnt", scoreBlockPopcnt, popcnt});
+  kernels.push_back({"avx2", scoreBlockAvx2, avx2});
+  kernels.push_back({"avx512vpopcntdq", scoreBlockAvx512, avx512});
+#elif defined(__aarch64__)
+  kernels.push_back({"neon", scoreBlockNeon, true});
+#endif
+  return kernels;
+}
+
+BlockKernel fastestBlockKernel() {
+  BlockKernel fastest = scoreBlockPortable;
+  for (const NamedKernel& named : blockKernels()) {
+    if (named.runs_here) fastest = named.kernel;
+  }
+  return fastest;
+}
+
+}  // namespace place_memory::core

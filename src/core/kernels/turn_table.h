@@ -1,0 +1,43 @@
+#ifndef PLACE_MEMORY_CORE_KERNELS_TURN_TABLE_H
+#define PLACE_MEMORY_CORE_KERNELS_TURN_TABLE_H
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/grid/cell_planes.h"
+
+namespace place_memory::core {
+
+/// The class of each cell of a grid in a byte of its own, row by row, and behind them an unsensed
+/// one.
+struct CellBytes {
+  static constexpr std::uint8_t kOccupied = 1;
+  static constexpr std::uint8_t kEmpty = 2;
+
+  explicit CellBytes(const EvidenceGrid& grid);
+  explicit CellBytes(const CellPlanes& cells);
+
+  std::array<std::uint8_t, kGridCells + 1> classes{};
+};
+
+/// Where each cell of a grid comes from when the grid is turned about its centre, as turned() does
+/// it.
+class TurnTable {
+ public:
+  explicit TurnTable(double angle);
+
+  CellPlanes turn(const CellBytes& cells) const;
+  /// For each cell the one that it comes from; kGridCells: from outside.
+  const std::array<std::uint16_t, kGridCells>& from() const { return from_; }
+
+ private:
+  std::array<std::uint16_t, kGridCells> from_;
+};
+
+/// The grid turned by -`turns` to `turns` heading steps (kHeadingStep) in [0, kHalfCircle].
+std::vector<CellPlanes> turnedBySteps(const EvidenceGrid& grid, int turns);
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_KERNELS_TURN_TABLE_H

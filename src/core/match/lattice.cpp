@@ -1,0 +1,33 @@
+#include "core/match/lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "place_memory/core/grid_geometry.h"
+
+namespace place_memory::core {
+
+SearchWindow searchWindow(double position_window, double heading_window, double cell_size) {
+  // Windows that are whole numbers of steps must not gain one by rounding.
+  constexpr double kSlack = 1e-6;
+  SearchWindow window;
+  const double cells = std::ceil(position_window / cell_size - kSlack);
+  window.cells = static_cast<int>(std::min(cells, kGridSize - 1.0));
+  window.turns = static_cast<int>(std::ceil(heading_window / kHeadingStep - kSlack));
+  window.circular = window.turns >= kHalfCircle;
+  if (window.circular) window.turns = kHalfCircle;
+  return window;
+}
+
+LatticeMetric onLattice(const MatchMetric& metric, const SearchWindow& window, double cell_size) {
+  LatticeMetric lattice;
+  lattice.weights = metric.weights;
+  lattice.overlap_only = metric.overlap_only;
+  lattice.shift_cost = metric.shift_cost * cell_size * cell_size;
+  if (!window.circular && window.turns > 0) {
+    lattice.turn_cost = metric.turn_cost / (window.turns * window.turns);
+  }
+  return lattice;
+}
+
+}  // namespace place_memory::core

@@ -1,0 +1,24 @@
+#ifndef PLACE_MEMORY_CORE_MATCH_MATCH_METRIC_H
+#define PLACE_MEMORY_CORE_MATCH_MATCH_METRIC_H
+
+#include "core/match/pair_metric.h"
+
+namespace place_memory::core {
+
+/// What an alignment scores: the points of all pairs of corresponding cells (paper 4), less what
+/// transforms cost that are far from where the robot is expected to stand.
+struct MatchMetric {
+  PairWeights weights = kPaperWeights;
+  double shift_cost = 0.0;  ///< for each square metre of shift [points / m^2], >= 0
+  /// For a turn to the edge of the heading window, growing with its square [points], >= 0. Free
+  /// where every heading is sought.
+  double turn_cost = 0.0;
+  /// Pairs are those of cells where the moved recognition grid and the learned one overlap, as
+  /// transforms of the one are mostly understood. Else the recognition grid is unsensed beyond its
+  /// rim, every learned cell is one of a pair, and a shift by itself costs no points.
+  bool overlap_only = false;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_MATCH_MATCH_METRIC_H

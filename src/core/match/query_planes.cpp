@@ -1,0 +1,81 @@
+#include "core/match/query_planes.h"
+
+#include <algorithm>
+
+#include "core/kernels/pair_kernel.h"
+#include "core/kernels/turn_table.h"
+#include "core/match/lattice.h"
+
+namespace place_memory::core {
+namespace {
+
+EvidenceGrid occupiedThroughout() {
+  EvidenceGrid grid;
+  for (int row = 0; row < kGridSize; ++row) {
+    for (int column = 0; column < kGridSize; ++column) grid.add(row, column, 1);
+  }
+  return grid;
+}
+
+}  // namespace
+
+CellPlanes turned(const CellPlanes& grid, double angle) {
+  return TurnTable(angle).turn(CellBytes(grid));
+}
+
+PairCounts countPairs(const CellPlanes& recognition, CellShift shift, const CellPlanes& learned) {
+  const int first = std::max(0, shift.rows);
+  const int last = std::min(kGridSize, kGridSize + shift.rows);
+  const int from = first - shift.rows;
+  const std::uint64_t* learned_o = learned.occupied.data();
+  const std::uint64_t* learned_e = learned.empty.data();
+  const PlaneCounts n =
+      countPlanes({recognition.occupied.data() + from, recognition.empty.data() + from,
+                   learned_o + first, learned_e + first, last - first, shift.columns});
+  const PlaneCounts all = countPlanes({learned_o, learned_e, learned_o, learned_e, kGridSize, 0});
+  const auto count = [](std::uint64_t cells) { return static_cast<int>(cells); };
+  const int oo = count(n.occupied_occupied), oe = count(n.occupied_empty);
+  const int eo = count(n.empty_occupied), ee = count(n.empty_empty);
+  const int ou = count(n.occupied) - oo - oe, eu = count(n.empty) - eo - ee;
+  const int uo = count(all.occupied) - oo - eo, ue = count(all.empty) - oe - ee;
+  const int uu = kGridCells - oo - oe - ou - eo - ee - eu - uo - ue;
+  return {{{ee, eu, eo}, {ue, uu, uo}, {oe, ou, oo}}};
+}
+
+PairCounts countOverlap(const CellPlanes& recognition, const BitPlane& reach, CellShift shift,
+                        const CellPlanes& learned) {
+  constexpr auto kEmpty = static_cast<std::size_t>(CellClass::kEmpty);
+  constexpr auto kUnsensed = static_cast<std::size_t>(CellClass::kUnsensed);
+  constexpr auto kOccupied = static_cast<std::size_t>(CellClass::kOccupied);
+  CellPlanes covered;
+  covered.occupied = reach;
+  const PairCounts of_covered = countPairs(covered, shift, learned);
+  PairCounts counts = countPairs(recognition, shift, learned);
+  for (std::size_t l = 0; l < kCellClasses; ++l) {
+    counts[kUnsensed][l] = of_covered[kOccupied][l] - counts[kEmpty][l] - counts[kOccupied][l];
+  }
+  return counts;
+}
+
+QueryPlanes::QueryPlanes(const EvidenceGrid& grid, double heading_step, int turns)
+    : heading_step_(heading_step), turns_(turns) {
+  if (heading_step == kHeadingStep && turns <= kHalfCircle) {
+    planes_ = turnedBySteps(grid, turns);
+    return;
+  }
+  const CellBytes cells(grid);
+  for (int turn = -turns; turn <= turns; ++turn) {
+    planes_.push_back(TurnTable(turn * heading_step).turn(cells));
+  }
+}
+
+BitPlane QueryPlanes::reach(int turn) const {
+  if (heading_step_ != kHeadingStep || turns_ > kHalfCircle) {
+    return turned(CellPlanes(occupiedThroughout()), turn * heading_step_).occupied;
+  }
+  static const std::vector<CellPlanes> kBySteps = turnedBySteps(occupiedThroughout(), kHalfCircle);
+  const int index = turn + kHalfCircle;
+  return kBySteps[static_cast<std::size_t>(index)].occupied;
+}
+
+}  // namespace place_memory::core

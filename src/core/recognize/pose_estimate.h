@@ -1,0 +1,28 @@
+#ifndef PLACE_MEMORY_CORE_RECOGNIZE_POSE_ESTIMATE_H
+#define PLACE_MEMORY_CORE_RECOGNIZE_POSE_ESTIMATE_H
+
+#include <Eigen/Core>
+
+#include "core/match/alignment_search.h"
+#include "place_memory/core/pose2d.h"
+
+namespace place_memory::core {
+
+/// A pose between the lattice's points, and how sure it is.
+struct PoseEstimate {
+  Pose2d place_from_scan;
+  /// Over x [m], y [m], yaw [rad], in the place's frame. Never less than what the lattice cannot
+  /// tell.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+};
+
+/// Mean and spread of the transforms about `best`, up to four cells and three heading steps away
+/// where they count for anything, each weighing exp(sharpness * score). Sharpness [1 / score], >=
+/// 0.
+PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
+                          const LatticeMetric& metric, const SearchWindow& window,
+                          const Alignment& best, double cell_size, double sharpness);
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_RECOGNIZE_POSE_ESTIMATE_H

@@ -1,0 +1,32 @@
+#ifndef PLACE_MEMORY_CORE_RECOGNIZE_RECOGNIZER_H
+#define PLACE_MEMORY_CORE_RECOGNIZE_RECOGNIZER_H
+
+#include <functional>
+
+#include "core/index/place_index.h"
+#include "place_memory/core/recognition.h"
+#include "place_memory/core/recognizer_options.h"
+#include "place_memory/core/scan.h"
+
+namespace place_memory::core {
+
+class Recognizer {
+ public:
+  /// Throws std::invalid_argument naming the option that is out of range.
+  explicit Recognizer(const RecognizerOptions& options);
+
+  /// Ranks every place of the index. A scan that sensed nothing is UNKNOWN, and no place probable,
+  /// whatever the scores. `heading_window` is how far the compass may be off, in [0, pi]
+  /// [rad]; pi stands for any heading. `cancelled`, where given, is polled between blocks of
+  /// places; once it returns true the call throws std::runtime_error. Throws std::invalid_argument
+  /// where the window is out of range. Thread-safe.
+  Recognition recognize(const Scan& scan, const PlaceIndex& places, double heading_window,
+                        const std::function<bool()>& cancelled = nullptr) const;
+
+ private:
+  RecognizerOptions options_;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_RECOGNIZE_RECOGNIZER_H

@@ -1,0 +1,76 @@
+#include "core/recognize/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace place_memory::core {
+namespace {
+
+double probabilityOf(const Support& coefficients, const Support& support) {
+  const double log_odds =
+      std::inner_product(support.begin(), support.end(), coefficients.begin(), 0.0);
+  return 1.0 / (1.0 + std::exp(-log_odds));
+}
+
+/// Splits `rest` among all matches but the first; none gets more than that has.
+void shareAmongOthers(double rest, double scale, std::vector<PlaceMatch>& matches) {
+  double all = 0.0;
+  double best = matches[1].score;
+  for (std::size_t i = 2; i < matches.size(); ++i) best = std::max(best, matches[i].score);
+  const auto weight = [&](const PlaceMatch& match) {
+    return std::exp(scale * (match.score - best));
+  };
+  for (std::size_t i = 1; i < matches.size(); ++i) all += weight(matches[i]);
+  rest = std::min(rest, matches.front().probability * all);  // the heaviest weighs 1
+  for (std::size_t i = 1; i < matches.size(); ++i) {
+    matches[i].probability = rest * weight(matches[i]) / all;
+  }
+}
+
+}  // namespace
+
+Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCounts& own,
+                  const Consensus& consensus, std::size_t places, double scale) {
+  constexpr auto kEmpty = static_cast<std::size_t>(CellClass::kEmpty);
+  constexpr auto kOccupied = static_cast<std::size_t>(CellClass::kOccupied);
+  const auto ratio = [](int cells, int of) {
+    return of == 0 ? 0.0 : static_cast<double>(cells) / of;
+  };
+  const auto share = [&](int cells, std::size_t of) { return ratio(cells, own[of][of]); };
+  const auto learned = [&](std::size_t of) { return at[0][of] + at[1][of] + at[2][of]; };
+  return {1.0,
+          share(at[kEmpty][kEmpty], kEmpty),
+          share(at[kEmpty][kOccupied], kEmpty),
+          share(at[kOccupied][kEmpty], kOccupied),
+          share(at[kOccupied][kOccupied], kOccupied),
+          share(closely.of(NearCells::kOccupiedWithinOne), kOccupied),
+          share(closely.of(NearCells::kOccupiedWithinTwo), kOccupied),
+          share(closely.of(NearCells::kEmptyByOccupied), kEmpty),
+          ratio(at[kEmpty][kOccupied], learned(kOccupied)),
+          ratio(at[kOccupied][kOccupied], learned(kOccupied)),
+          ratio(at[kOccupied][kEmpty], learned(kEmpty)),
+          std::log1p(scale * std::max(consensus.lead, 0.0)),
+          scale * consensus.prominence,
+          scale * consensus.uncontested,
+          1.0 / static_cast<double>(std::max<std::size_t>(places, 1))};
+}
+
+void judge(const Support& support, const Calibration& calibration, double confidence,
+           Recognition& recognition) {
+  std::vector<PlaceMatch>& matches = recognition.matches;
+  recognition.verdict = Verdict::kUnknown;
+  if (matches.empty()) return;
+  const double right = probabilityOf(calibration.right, support);
+  const double known = std::max(right, probabilityOf(calibration.known, support));
+  matches.front().probability = right;
+  if (matches.size() > 1) shareAmongOthers(known - right, calibration.scale, matches);
+  if (right >= confidence) {
+    recognition.verdict = Verdict::kRecognized;
+  } else if (matches.size() > 1 && known >= confidence) {
+    recognition.verdict = Verdict::kAmbiguous;
+  }
+}
+
+}  // namespace place_memory::core

@@ -1,0 +1,26 @@
+#ifndef PLACE_MEMORY_NODE_INPUT_SENSOR_PLACEMENT_H
+#define PLACE_MEMORY_NODE_INPUT_SENSOR_PLACEMENT_H
+
+#include <ros/time.h>
+#include <tf2/buffer_core.h>
+
+#include <optional>
+#include <string>
+
+#include "node/input/planar.h"
+
+namespace place_memory::node {
+
+/// Pose of the frame `source` in the frame `target` as seen from above. Never waits. Where tf does
+/// not know it, nothing, and `problem` names both frames and says why.
+std::optional<PlanarPose> lookupPlanar(const tf2::BufferCore& buffer, const std::string& target,
+                                       const std::string& source, const ros::Time& stamp,
+                                       std::string& problem);
+
+/// The newest there is, and its stamp; nothing where tf knows none.
+std::optional<PlanarPose> lookupNewest(const tf2::BufferCore& buffer, const std::string& target,
+                                       const std::string& source, ros::Time& stamp);
+
+}  // namespace place_memory::node
+
+#endif  // PLACE_MEMORY_NODE_INPUT_SENSOR_PLACEMENT_H

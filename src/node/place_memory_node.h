@@ -1,0 +1,58 @@
+#ifndef PLACE_MEMORY_NODE_PLACE_MEMORY_NODE_H
+#define PLACE_MEMORY_NODE_PLACE_MEMORY_NODE_H
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <ros/wall_timer.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <memory>
+#include <string>
+
+#include "config/parameters.h"
+#include "node/answer/place_services.h"
+#include "node/map/memory_publisher.h"
+#include "node/scan/newest_scan.h"
+#include "node/scan/scan_server.h"
+#include "place_memory/core/place_memory.h"
+
+namespace place_memory::node {
+
+/// The node: scans go from the action to the services and topics.
+class PlaceMemoryNode {
+ public:
+  /// A store that cannot be used is reported, and the places are kept in memory. Throws
+  /// std::invalid_argument naming a parameter out of range.
+  PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
+                  const config::Parameters& parameters);
+
+  /// Ends a scan that runs and stops the robot. To be called before ros::shutdown().
+  void stop();
+
+ private:
+  std::unique_ptr<core::PlaceMemory> openMemory();
+  ScanServer::Callbacks scanCallbacks();
+  void dropScan();
+  void onDiagnosticsTimer();
+
+  ros::NodeHandle names_;
+  ros::NodeHandle private_names_;
+  const config::Parameters parameters_;
+
+  std::string store_problem_;  ///< why the store is not used; empty: it is, or none is configured
+  const std::unique_ptr<core::PlaceMemory> memory_;
+  NewestScan scan_;
+  MemoryPublisher publisher_;
+  tf2_ros::Buffer buffer_;
+  tf2_ros::TransformListener listener_;
+  ScanServer scan_server_;
+  PlaceServices services_;
+  diagnostic_updater::Updater diagnostics_;
+  ros::SteadyTimer diagnostics_timer_;
+  int ticks_without_time_ = 0;
+};
+
+}  // namespace place_memory::node
+
+#endif  // PLACE_MEMORY_NODE_PLACE_MEMORY_NODE_H

@@ -1,0 +1,77 @@
+#include "core/recognize/pose_estimate.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/random_room.h"
+
+namespace place_memory::core {
+namespace {
+
+const LatticeMetric kMetric{{{{1.0, 0.0, -1.0}, {0.0, 0.0, -1.0}, {-2.0, -1.0, 3.0}}}, 0.0, 0.0};
+
+struct Found {
+  PoseEstimate estimate;
+  Pose2d lattice;
+};
+
+Found find(const Scan& scan, const Scan& learned, double sharpness) {
+  const double cell = scan.grid.geometry().cell_size;
+  const SearchWindow window = searchWindow(1.0, 0.5, cell);
+  const QueryPlanes query(scan.grid, kHeadingStep, window.turns);
+  const CellPlanes planes(learned.grid);
+  const Alignment best = findAlignment(query, planes, kMetric, window, SearchMethod::kExhaustive);
+  return {estimatePose(query, planes, kMetric, window, best, cell, sharpness),
+          {best.shift.columns * cell, best.shift.rows * cell, best.turn * kHeadingStep}};
+}
+
+TEST(EstimatePose, LiesBetweenTheLatticePointsNearerToTheTruth) {
+  double estimated = 0.0, on_lattice = 0.0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    const RandomRoom room(seed);
+    const Pose2d truth{0.21, -0.07 * seed / 2.0, 0.075};
+    const Found found = find(room.scanFrom(truth), room.scanFrom({}), 0.05);
+    const Pose2d& pose = found.estimate.place_from_scan;
+    estimated += std::hypot(pose.x - truth.x, pose.y - truth.y);
+    on_lattice += std::hypot(found.lattice.x - truth.x, found.lattice.y - truth.y);
+  }
+  EXPECT_LT(estimated, on_lattice);
+}
+
+TEST(EstimatePose, CovarianceIsSymmetricAndNeverBelowTheLattice) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const RandomRoom room(seed);
+    const Eigen::Matrix3d c =
+        find(room.scanFrom({0.1, 0.2, 0.05}), room.scanFrom({}), 10.0).estimate.covariance;
+    EXPECT_TRUE(c.isApprox(c.transpose()));
+    const double cell = kDefaultCellSize;
+    EXPECT_GE(c(0, 0), cell * cell / 12.0 - 1e-12);
+    EXPECT_GE(c(2, 2), kHeadingStep * kHeadingStep / 12.0 - 1e-12);
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(c).eigenvalues()[0], 0.0);
+  }
+}
+
+TEST(EstimatePose, ASharperLikelihoodIsSurer) {
+  const RandomRoom room(3);
+  const Scan learned = room.scanFrom({});
+  const Scan scan = room.scanFrom({0.1, 0.2, 0.05});
+  EXPECT_GT(find(scan, learned, 0.01).estimate.covariance.trace(),
+            find(scan, learned, 1.0).estimate.covariance.trace());
+}
+
+TEST(EstimatePose, ACorridorIsUnsureAlongItself) {
+  EvidenceGrid grid;
+  for (int column = 0; column < kGridSize; ++column) {
+    grid.add(24, column, 50);
+    grid.add(40, column, 50);
+    for (int row = 25; row < 40; ++row) grid.add(row, column, -50);
+  }
+  Scan corridor;
+  corridor.grid = grid;
+  const Eigen::Matrix3d c = find(corridor, corridor, 0.05).estimate.covariance;
+  EXPECT_GT(c(0, 0), 4.0 * c(1, 1));
+}
+
+}  // namespace
+}  // namespace place_memory::core
