@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/match/lattice.h"
 #include "benchmark/synthetic_memory.h"
+#include "core/match/lattice.h"
 
 namespace place_memory::measure {
 namespace {
