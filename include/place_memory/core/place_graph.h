@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "place_memory/core/place.h"
+#include "place_memory/export.h"
 
 namespace place_memory::core {
 
@@ -27,7 +28,7 @@ struct PlaceLink {
 ///
 /// Ordered maps instead of a Boost.Graph adjacency list, because the ids stay valid in a copy and
 /// when places are removed, which vertex descriptors do not.
-class PlaceGraph {
+class PLACE_MEMORY_PUBLIC PlaceGraph {
  public:
   std::size_t size() const { return nodes_.size(); }
 

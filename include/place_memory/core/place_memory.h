@@ -18,11 +18,12 @@
 #include "place_memory/core/recognition.h"
 #include "place_memory/core/scan.h"
 #include "place_memory/core/sonar_model.h"
+#include "place_memory/export.h"
 
 namespace place_memory::core {
 
 /// Why the memory refused what it was asked for; what() says it in a sentence.
-class PlaceMemoryError : public std::runtime_error {
+class PLACE_MEMORY_PUBLIC PlaceMemoryError : public std::runtime_error {
  public:
   enum class Reason {
     kLabelTaken,
@@ -62,7 +63,7 @@ struct LabelledRecognition {
 /// Learns places, recognizes them, and keeps them in the topological/metric map (paper 3, 4).
 ///
 /// Thread-safe. Matching works on a snapshot, so that no other call waits for it.
-class PlaceMemory {
+class PLACE_MEMORY_PUBLIC PlaceMemory {
  public:
   /// Opens the store. Throws StoreError, and std::invalid_argument naming an option out of range.
   explicit PlaceMemory(const PlaceMemoryOptions& options);

@@ -1,11 +1,7 @@
 #ifndef PLACE_MEMORY_CORE_GRID_GRID_FUSION_H
 #define PLACE_MEMORY_CORE_GRID_GRID_FUSION_H
 
-#include <vector>
-
 #include "place_memory/core/evidence_grid.h"
-#include "place_memory/core/pose2d.h"
-#include "place_memory/core/sonar_reading.h"
 
 namespace place_memory::core {
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "sim/scene/scene.h"
-#include "sim/world/yaml_reader.h"
+#include "sim/scene/yaml_reader.h"
 
 namespace place_memory::sim {
 

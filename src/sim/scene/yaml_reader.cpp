@@ -1,4 +1,4 @@
-#include "sim/world/yaml_reader.h"
+#include "sim/scene/yaml_reader.h"
 
 #include <algorithm>
 #include <cmath>
