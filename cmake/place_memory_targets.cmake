@@ -65,6 +65,7 @@ function(place_memory_add_shared part)
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
   )
+  add_library(place_memory::${part} ALIAS ${target})
   install(TARGETS ${target} EXPORT place_memory-targets LIBRARY DESTINATION lib)
 endfunction()
 
