@@ -66,15 +66,7 @@ function(place_memory_add_shared part)
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
   )
   add_library(place_memory::${part} ALIAS ${target})
-  install(TARGETS ${target} EXPORT place_memory-targets LIBRARY DESTINATION lib)
-endfunction()
-
-# place_memory_install_exports(<folder>): the public headers, and into the folder what find_package()
-# reads of the targets.
-function(place_memory_install_exports folder)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/place_memory
-    DESTINATION include
-    FILES_MATCHING PATTERN "*.h"
+  install(TARGETS ${target} EXPORT place_memory-targets
+    LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   )
-  install(EXPORT place_memory-targets NAMESPACE place_memory:: DESTINATION ${folder})
 endfunction()

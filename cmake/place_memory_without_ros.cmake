@@ -1,21 +1,17 @@
-# The core, the loader of presets and their tests, for whoever links them where there is no ROS.
+# The core, the loader of presets and their tests, for whoever links them where there is no ROS: what
+# catkin says elsewhere, and what find_package() reads.
 include(CMakePackageConfigHelpers)
 include(CTest)
 
-add_subdirectory(src/support)
-add_subdirectory(src/core)
-add_subdirectory(src/config)
-if(BUILD_TESTING)
-  add_subdirectory(test)
-endif()
+set(CATKIN_ENABLE_TESTING ${BUILD_TESTING})
+set(CATKIN_PACKAGE_INCLUDE_DESTINATION include/place_memory)
+set(CATKIN_PACKAGE_LIB_DESTINATION lib)
+set(CATKIN_PACKAGE_SHARE_DESTINATION share/place_memory)
 
-set(folder lib/cmake/place_memory)
-place_memory_install_exports(${folder})
+set(version_file ${PROJECT_BINARY_DIR}/place_memoryConfigVersion.cmake)
+write_basic_package_version_file(${version_file} COMPATIBILITY SameMinorVersion)
+install(FILES ${version_file} DESTINATION share/place_memory/cmake)
 install(FILES cmake/place_memory-extras.cmake
-  DESTINATION ${folder}
+  DESTINATION share/place_memory/cmake
   RENAME place_memoryConfig.cmake
 )
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/place_memoryConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion
-)
-install(FILES ${PROJECT_BINARY_DIR}/place_memoryConfigVersion.cmake DESTINATION ${folder})
