@@ -1,5 +1,5 @@
-# The core, the loader of presets and their tests, for whoever links them where there is no ROS: what
-# catkin says elsewhere, and what find_package() reads.
+# The core, the loader of presets and their tests, for whoever links them where there is no ROS:
+# what catkin says elsewhere, and what find_package() reads.
 include(CMakePackageConfigHelpers)
 include(CTest)
 
