@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "core/grid/grid_fusion.h"
 #include "core/index/place_index.h"
 #include "core/recognize/recognizer.h"
 #include "core/store/place_store.h"
+#include "place_memory/core/adaptation_options.h"
 #include "place_memory/core/place_graph.h"
 #include "place_memory/core/recognition.h"
 #include "place_memory/core/scan.h"

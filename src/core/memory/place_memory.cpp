@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/grid/grid_fusion.h"
 #include "core/map/place_label.h"
 #include "core/sensing/moved_readings.h"
 
