@@ -32,7 +32,7 @@ Scores scoresOf(const std::vector<const Query*>& queries,
   const core::LatticeMetric metric = core::onLattice(options.metric, window, cell_size);
   Scores scores(queries.size() * strangers.size());
   inThreads(queries.size(), [&](std::size_t q) {
-    const core::QueryPlanes query(queries[q]->scan.grid, core::kHeadingStep, window.turns);
+    const core::QueryPlanes query(queries[q]->scan.grid, core::kHeadingStep, window.rotations);
     for (std::size_t i = 0; i < strangers.size(); ++i) {
       scores[q * strangers.size() + i] =
           core::findAlignment(query, strangers[i], metric, window, options.method).score;

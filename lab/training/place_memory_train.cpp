@@ -41,8 +41,8 @@ constexpr place_memory::core::PairWeights kPriorWeights{
     {{0.87, 0.64, -1.38}, {0.05, 0.17, -1.10}, {-2.23, -1.50, 3.52}}};
 /// A place this near is no stranger: its grid shows the same walls [m].
 constexpr double kStrangerDistance = 2.5;
-/// Pull of the second look towards the first.
-constexpr double kSecondLookRidge = 1e-4;
+/// Pull of the re-scoring towards the search score.
+constexpr double kRescoringRidge = 1e-4;
 
 struct Settings {
   std::uint64_t seeds = 240;
@@ -158,7 +158,7 @@ void mergeRound(const Lists& round, Lists& merged) {
   }
 }
 
-/// Fits the metric in rounds, then the second look at what the last metric ranks first.
+/// Fits the metric in rounds, then the re-scoring of what the last metric ranks first.
 RankingWeights fitWeights(const std::vector<TrialSet>& sets, double ridge) {
   const Eigen::VectorXd prior = asWeights(MatchMetric{kPriorWeights, 0.0, 0.0});
   RankingWeights weights;
@@ -167,18 +167,18 @@ RankingWeights fitWeights(const std::vector<TrialSet>& sets, double ridge) {
   for (int round = 1; round <= kRounds; ++round) {
     const Lists lists = joined(align(sets, asMetric(weights.metric)));
     mergeRound(lists, merged);
-    weights.metric = fitRanking(firstChoices(merged), prior, ridge, kCosts);
+    weights.metric = fitRanking(searchChoices(merged), prior, ridge, kCosts);
     std::cout << "round " << round << ": " << lists.size() << " scans, loss "
-              << rankingLoss(firstChoices(lists), weights.metric) << ", top-1 "
-              << topOne(firstChoices(lists), weights.metric) << std::endl;
+              << rankingLoss(searchChoices(lists), weights.metric) << ", top-1 "
+              << topOne(searchChoices(lists), weights.metric) << std::endl;
   }
   const std::vector<Choice> choices =
-      secondChoices(joined(align(sets, asMetric(weights.metric))), weights.metric);
-  const Eigen::VectorXd look =
-      fitRanking(choices, asWeights(place_memory::core::SecondLook{}), kSecondLookRidge, 0);
-  std::cout << "second look: loss " << rankingLoss(choices, look) << ", top-1 "
-            << topOne(choices, look) << std::endl;
-  weights.second_look = asSecondLook(look);
+      rescoringChoices(joined(align(sets, asMetric(weights.metric))), weights.metric);
+  const Eigen::VectorXd rescoring =
+      fitRanking(choices, asWeights(place_memory::core::RescoringWeights{}), kRescoringRidge, 0);
+  std::cout << "re-scoring: loss " << rankingLoss(choices, rescoring) << ", top-1 "
+            << topOne(choices, rescoring) << std::endl;
+  weights.rescoring = asRescoringWeights(rescoring);
   return weights;
 }
 
@@ -211,9 +211,9 @@ int train(const Settings& settings) {
     }
     const RankingWeights fitted = fitWeights(sets, settings.ridge);
     preset.metric = asMetric(fitted.metric);
-    preset.second_look = fitted.second_look;
+    preset.rescoring = fitted.rescoring;
   }
-  const RankingWeights weights{asWeights(preset.metric), preset.second_look};
+  const RankingWeights weights{asWeights(preset.metric), preset.rescoring};
 
   const std::vector<TrialSet> sets = simulate(for_metric, settings.seeds - for_metric);
   const std::vector<Lists> aligned = align(sets, preset.metric);
@@ -231,8 +231,8 @@ int train(const Settings& settings) {
   const CalibrationReport report =
       reportCalibration(joined(held_back), strangersTo(others, held_back, preset.metric), weights,
                         preset.calibration, confidence);
-  const std::vector<Choice> choices = firstChoices(joined(held_back));
-  std::cout << "held back: first look: loss " << rankingLoss(choices, weights.metric) << ", top-1 "
+  const std::vector<Choice> choices = searchChoices(joined(held_back));
+  std::cout << "held back: search: loss " << rankingLoss(choices, weights.metric) << ", top-1 "
             << topOne(choices, weights.metric) << "; answers: top-1 " << report.top_one
             << "; with confidence " << confidence << ": recognized and right " << report.recognized
             << ", recognized and wrong " << report.wrong << ", strangers accepted "

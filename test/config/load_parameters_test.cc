@@ -227,7 +227,7 @@ TEST(MatchPreset, BuiltInPresetsAreTheFiles) {
     EXPECT_EQ(built_in.calibration.scale, file.calibration.scale) << name;
     EXPECT_EQ(built_in.calibration.right, file.calibration.right) << name;
     EXPECT_EQ(built_in.calibration.known, file.calibration.known) << name;
-    EXPECT_EQ(built_in.second_look.has_value(), file.second_look.has_value()) << name;
+    EXPECT_EQ(built_in.rescoring.has_value(), file.rescoring.has_value()) << name;
   }
 }
 
@@ -275,7 +275,7 @@ INSTANTIATE_TEST_SUITE_P(
                     PresetEdit{{"weights"}, "[[1, 0, .nan], [0, 1, 0], [0, 0, 1]]", "weights"},
                     PresetEdit{{"weights"}, "[[1, 0, 2000], [0, 1, 0], [0, 0, 1]]", "weights"},
                     PresetEdit{{"shift_cost"}, "-1", "shift_cost"},
-                    PresetEdit{{"turn_cost"}, "many", "turn_cost"},
+                    PresetEdit{{"rotation_cost"}, "many", "rotation_cost"},
                     PresetEdit{{"overlap_only"}, "1", "overlap_only"},
                     PresetEdit{{"calibration"}, nullptr, "calibration/scale"},
                     PresetEdit{{"calibration", "scale"}, nullptr, "calibration/scale"},
@@ -283,15 +283,16 @@ INSTANTIATE_TEST_SUITE_P(
                     PresetEdit{{"calibration", "strangers"}, "1", "calibration/strangers"},
                     PresetEdit{{"calibration", "right"}, "3", "calibration/right"},
                     PresetEdit{{"calibration", "right", "bias"}, nullptr, "calibration/right/bias"},
-                    PresetEdit{{"calibration", "known", "lead"}, nullptr, "calibration/known/lead"},
+                    PresetEdit{
+                        {"calibration", "known", "margin"}, nullptr, "calibration/known/lead"},
                     PresetEdit{{"calibration", "known", "bias"}, "2000", "calibration/known/bias"},
                     PresetEdit{{"calibration", "sharpness"}, nullptr, "calibration/sharpness"},
-                    PresetEdit{{"second_look"}, "3", "second_look"},
-                    PresetEdit{{"second_look", "first"}, "-1", "second_look/first"},
-                    PresetEdit{{"second_look", "nearest"}, "1", "second_look/nearest"},
-                    PresetEdit{{"second_look", "inner"}, nullptr, "second_look/inner"},
-                    PresetEdit{{"second_look", "middle"}, "3", "second_look/middle"},
-                    PresetEdit{{"second_look", "turned"}, nullptr, "second_look/turned"}));
+                    PresetEdit{{"rescoring"}, "3", "rescoring"},
+                    PresetEdit{{"rescoring", "first"}, "-1", "rescoring/first"},
+                    PresetEdit{{"rescoring", "nearest"}, "1", "rescoring/nearest"},
+                    PresetEdit{{"rescoring", "inner"}, nullptr, "rescoring/inner"},
+                    PresetEdit{{"rescoring", "middle"}, "3", "rescoring/middle"},
+                    PresetEdit{{"rescoring", "turned"}, nullptr, "rescoring/turned"}));
 
 TEST(MatchPreset, WhatIsNoTableIsRefused) {
   const TemporaryFolder folder;

@@ -19,11 +19,11 @@ struct Found {
 Found find(const Scan& scan, const Scan& learned, double sharpness) {
   const double cell = scan.grid.geometry().cell_size;
   const SearchWindow window = searchWindow(1.0, 0.5, cell);
-  const QueryPlanes query(scan.grid, kHeadingStep, window.turns);
+  const QueryPlanes query(scan.grid, kHeadingStep, window.rotations);
   const CellPlanes planes(learned.grid);
   const Alignment best = findAlignment(query, planes, kMetric, window, SearchMethod::kExhaustive);
   return {estimatePose(query, planes, kMetric, window, best, cell, sharpness),
-          {best.shift.columns * cell, best.shift.rows * cell, best.turn * kHeadingStep}};
+          {best.shift.columns * cell, best.shift.rows * cell, best.rotation * kHeadingStep}};
 }
 
 TEST(EstimatePose, LiesBetweenTheLatticePointsNearerToTheTruth) {
