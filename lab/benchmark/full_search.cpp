@@ -6,7 +6,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "threads.h"
+#include "support/parallel_for.h"
 
 namespace place_memory::measure {
 namespace {
@@ -143,7 +143,7 @@ ScoredPlace FullSearch::best(const core::PlaceIndex& places, const ScoredPlace& 
   const std::size_t blocks = places.blocks().size();
   ScoredPlace best = known;
   std::mutex mutex;
-  inThreads((blocks + kAtATime - 1) / kAtATime, [&](std::size_t i) {
+  support::parallelFor((blocks + kAtATime - 1) / kAtATime, [&](std::size_t i) {
     ScoredPlace own;
     {
       const std::lock_guard<std::mutex> lock(mutex);

@@ -1,20 +1,19 @@
 #include <algorithm>
-#include <atomic>
 #include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
-#include <mutex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "place_memory/config/match_preset.h"
 #include "place_memory/core/recognizer_options.h"
+#include "support/parallel_for.h"
 #include "support/progress_bar.h"
 #include "training/calibration_fit.h"
 #include "training/candidates.h"
@@ -100,24 +99,17 @@ Settings parse(int argc, char** argv) {
   return settings;
 }
 
-/// Calls work(i) for every i below count, on all processors.
-template <typename Work>
-void forEach(std::size_t count, const std::string& what, const Work& work) {
+/// Calls work(i) for every i below count, on all processors; `what` is counted on a bar.
+void forEach(std::size_t count, const std::string& what,
+             const std::function<void(std::size_t)>& work) {
   place_memory::support::ProgressBar bar(count, what, std::cerr);
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;
-  std::size_t done = 0;
-  std::vector<std::thread> threads;
-  for (unsigned t = 0; t < std::max(1U, std::thread::hardware_concurrency()); ++t) {
-    threads.emplace_back([&] {
-      for (std::size_t i = next++; i < count; i = next++) {
-        work(i);
-        const std::lock_guard<std::mutex> lock(mutex);
-        bar.show(++done);
-      }
-    });
+  try {
+    place_memory::support::parallelFor(count, work, 0,
+                                       [&bar](std::size_t done) { bar.show(done); });
+  } catch (...) {
+    bar.finish();  // what is said of it has a line of its own
+    throw;
   }
-  for (std::thread& thread : threads) thread.join();
   bar.finish();
 }
 

@@ -177,6 +177,22 @@ TEST(Recognizer, TheCovarianceIsSymmetricWithVariancesAboveZero) {
   }
 }
 
+TEST(Recognizer, ARobotThatMovedDuringItsScanIsLessSureOfWhereItStands) {
+  const PlaceIndex places = rooms(3);
+  const Recognizer recognizer(usualOptions());
+  Scan scan = scanIn(2, {});
+  const Recognition stood = ask(recognizer, scan, places, kWindow);
+  scan.robot_in_scan = {4.0, 0.0, 0.0};
+  const Recognition moved = ask(recognizer, scan, places, kWindow);
+  const auto area = [](const Recognition& found) {
+    return found.covariance[0] + found.covariance[4];
+  };
+  // Four metres off, the variance of the heading comes on top sixteenfold, but for what it has to
+  // do with the position.
+  EXPECT_GT(area(moved), area(stood) + 8.0 * stood.covariance[8]);
+  EXPECT_EQ(moved.covariance[8], stood.covariance[8]);
+}
+
 TEST(Recognizer, WorksAtAnyCellSize) {
   for (const double cell_size : {0.05, 0.1, 0.3}) {
     const double scale = cell_size / kDefaultCellSize;
@@ -316,6 +332,17 @@ TEST(Recognizer, AsksOnceForTheFramesOfThePlacesThatRankFirst) {
   for (std::size_t i = 0; i < asked.front().size(); ++i) {
     EXPECT_EQ(std::count(asked.front().begin(), asked.front().end(), recognition->matches[i].id),
               1);
+  }
+}
+
+TEST(Recognizer, AnswersTheSameWithAnyNumberOfThreads) {
+  const PlaceIndex places = rooms(40);
+  const Scan scan = scanIn(3, {0.4, -0.5, 0.2});
+  RecognizerOptions options = usualOptions();
+  const Recognition recognition = ask(Recognizer(options), scan, places, kPi);
+  for (const std::size_t threads : {1U, 2U, 7U}) {
+    options.threads = threads;
+    expectSame(recognition, ask(Recognizer(options), scan, places, kPi));
   }
 }
 
