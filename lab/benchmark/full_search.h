@@ -29,7 +29,7 @@ class FullSearch {
              const core::SearchWindow& window);
 
   /// The best place; of equal ones the one with the lowest id. `known` is a place that was found by
-  /// other means, with a score that it has in truth: what cannot beat it is not looked at.
+  /// other means, with a score that it has in truth: what cannot beat it is left out.
   ScoredPlace best(const core::PlaceIndex& places, const ScoredPlace& known) const;
 
  private:
@@ -49,7 +49,7 @@ class FullSearch {
   template <typename Call>
   void forEachTransform(const Group& group, const Call& call) const;
   void add(const Group& group, Groups& groups) const;
-  /// Looks at some places; `best` is the best one up to then.
+  /// Searches some places; `best` is the best one up to then.
   void search(const core::PlaceIndex& places, std::size_t first_block, std::size_t last_block,
               ScoredPlace& best) const;
   void searchGroup(const core::PlaceBlock& block, std::size_t group,
