@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "spliced_places.h"
-#include "threads.h"
+#include "support/parallel_for.h"
 
 namespace place_memory::measure {
 
@@ -27,7 +28,7 @@ void SyntheticMemory::forEach(
   std::vector<KnownPlace> places;
   for (std::size_t first = 0; first < size_; first += kAtATime) {
     places.resize(std::min(kAtATime, size_ - first));
-    inThreads(places.size(), [&](std::size_t i) {
+    support::parallelFor(places.size(), [&](std::size_t i) {
       const std::size_t number = first + i;
       const std::size_t before = simulatedAmong(number);
       const bool is_simulated = simulatedAmong(number + 1) > before;
@@ -39,12 +40,14 @@ void SyntheticMemory::forEach(
   }
 }
 
-core::PlaceIndex SyntheticMemory::index() const {
+KnownMap SyntheticMemory::map() const {
   core::PlaceIndex index;
-  forEach([&index](core::PlaceId id, const KnownPlace& place) {
-    index.put(id, place.map_from_place, place.grid);
+  std::vector<core::PlaceFrame> frames;
+  forEach([&](core::PlaceId id, const KnownPlace& place) {
+    index.put(id, place.grid);
+    frames.push_back({place.map_from_place});
   });
-  return index;
+  return {std::move(index), std::move(frames)};
 }
 
 std::vector<const Query*> SyntheticMemory::queries(std::size_t count, bool any_heading) const {

@@ -10,7 +10,7 @@ namespace place_memory::core {
 
 /// What an alignment scores.
 double scoreAt(const QueryPlanes& query, const CellPlanes& learned, const LatticeMetric& metric,
-               CellShift shift, int turn);
+               CellShift shift, int rotation);
 
 /// The best alignment of the recognition grid with one learned grid that the method finds.
 Alignment findAlignment(const QueryPlanes& query, const CellPlanes& learned,

@@ -39,30 +39,30 @@ PlaceIndex spliced(std::size_t places) {
       std::copy(other.empty.begin() + static_cast<std::ptrdiff_t>(from), other.empty.end(),
                 cells.empty.begin() + static_cast<std::ptrdiff_t>(from));
     }
-    index.put(static_cast<PlaceId>(i + 1), {}, cells);
+    index.put(static_cast<PlaceId>(i + 1), cells);
   }
   return index;
 }
 
-EvidenceGrid scanIn(PlaceId id, std::mt19937& engine, double turn) {
+EvidenceGrid scanIn(PlaceId id, std::mt19937& engine, double rotation) {
   std::uniform_real_distribution<double> share(-1.0, 1.0);
-  const Pose2d pose{0.4 * share(engine), 0.4 * share(engine), turn * share(engine)};
+  const Pose2d pose{0.4 * share(engine), 0.4 * share(engine), rotation * share(engine)};
   return RandomRoom(static_cast<unsigned>(id)).scanFrom(pose).grid;
 }
 
 std::vector<PlaceAlignment> search(const EvidenceGrid& grid, const PlaceIndex& places,
                                    const SearchWindow& window, support::WorkerPool& pool,
                                    SearchMethod method = SearchMethod::kRestarts) {
-  const QueryPlanes query(grid, kHeadingStep, window.turns);
+  const QueryPlanes query(grid, kHeadingStep, window.rotations);
   return searchPlaces(query, places, kMetric, window, method, nullptr, pool);
 }
 
 void expectSame(const std::vector<PlaceAlignment>& a, const std::vector<PlaceAlignment>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(a[i].entry->id, b[i].entry->id) << i;
+    ASSERT_EQ(a[i].place, b[i].place) << i;
     ASSERT_EQ(a[i].alignment.score, b[i].alignment.score) << i;
-    ASSERT_EQ(a[i].alignment.turn, b[i].alignment.turn) << i;
+    ASSERT_EQ(a[i].alignment.rotation, b[i].alignment.rotation) << i;
     ASSERT_EQ(a[i].alignment.shift.columns, b[i].alignment.shift.columns) << i;
     ASSERT_EQ(a[i].alignment.shift.rows, b[i].alignment.shift.rows) << i;
   }
@@ -73,7 +73,7 @@ void expectRanked(const std::vector<PlaceAlignment>& found) {
     const double before = found[i - 1].alignment.score;
     ASSERT_GE(before, found[i].alignment.score) << i;
     if (before == found[i].alignment.score) {
-      ASSERT_LT(found[i - 1].entry->id, found[i].entry->id) << i;
+      ASSERT_LT(found[i - 1].place, found[i].place) << i;
     }
   }
 }
@@ -87,7 +87,7 @@ TEST(PlaceSearch, FindsWhatTheExhaustiveSearchFinds) {
       const EvidenceGrid grid = scanIn(id, engine, 0.25);
       const auto found = search(grid, places, kWindow, pool);
       const auto best = search(grid, places, kWindow, pool, SearchMethod::kExhaustive);
-      EXPECT_EQ(found.front().entry->id, best.front().entry->id) << size;
+      EXPECT_EQ(found.front().place, best.front().place) << size;
       EXPECT_EQ(found.front().alignment.score, best.front().alignment.score) << size;
     }
   }
@@ -101,7 +101,7 @@ TEST(PlaceSearch, FindsWhatTheExhaustiveSearchFindsAtAnyHeading) {
     const EvidenceGrid grid = scanIn(id, engine, kPi);
     const auto found = search(grid, places, kAnyHeading, pool);
     const auto best = search(grid, places, kAnyHeading, pool, SearchMethod::kExhaustive);
-    EXPECT_EQ(found.front().entry->id, best.front().entry->id);
+    EXPECT_EQ(found.front().place, best.front().place);
     EXPECT_EQ(found.front().alignment.score, best.front().alignment.score);
   }
 }
@@ -113,13 +113,13 @@ TEST(PlaceSearch, TakesPairsWhereGridsOverlapAlone) {
   support::WorkerPool pool(2);
   const PlaceIndex places = spliced(100);
   for (PlaceId id = 1; id <= 3; ++id) {
-    const QueryPlanes query(scanIn(id, engine, 0.25), kHeadingStep, kWindow.turns);
+    const QueryPlanes query(scanIn(id, engine, 0.25), kHeadingStep, kWindow.rotations);
     const auto found =
         searchPlaces(query, places, metric, kWindow, SearchMethod::kRestarts, nullptr, pool);
     const auto best =
         searchPlaces(query, places, metric, kWindow, SearchMethod::kExhaustive, nullptr, pool);
     ASSERT_EQ(found.size(), places.size());
-    EXPECT_EQ(found.front().entry->id, best.front().entry->id);
+    EXPECT_EQ(found.front().place, best.front().place);
     EXPECT_EQ(found.front().alignment.score, best.front().alignment.score);
   }
 }
@@ -145,7 +145,7 @@ TEST(PlaceSearch, TellsHowManyEvaluationsItTookWhateverTheThreads) {
   double of_few = 0.0;
   for (const std::size_t size : {std::size_t{30}, std::size_t{1300}}) {
     const PlaceIndex places = spliced(size);
-    const QueryPlanes query(scanIn(4, engine, 0.25), kHeadingStep, kWindow.turns);
+    const QueryPlanes query(scanIn(4, engine, 0.25), kHeadingStep, kWindow.rotations);
     std::vector<double> evaluations;
     for (const std::size_t threads : {std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
       support::WorkerPool pool(threads);
@@ -171,7 +171,7 @@ TEST(PlaceSearch, RanksEveryPlaceOfAnUsualMemory) {
     ASSERT_EQ(found.size(), size);
     expectRanked(found);
     std::vector<PlaceId> ids;
-    for (const PlaceAlignment& place : found) ids.push_back(place.entry->id);
+    for (const PlaceAlignment& place : found) ids.push_back(place.place);
     std::sort(ids.begin(), ids.end());
     for (std::size_t i = 0; i < size; ++i) ASSERT_EQ(ids[i], static_cast<PlaceId>(i + 1));
   }
@@ -192,16 +192,16 @@ TEST(PlaceSearch, TellsWhatEachAlignmentScores) {
   std::mt19937 engine(66);
   support::WorkerPool pool(2);
   const PlaceIndex places = spliced(300);
-  const QueryPlanes query(scanIn(5, engine, 0.25), kHeadingStep, kWindow.turns);
+  const QueryPlanes query(scanIn(5, engine, 0.25), kHeadingStep, kWindow.rotations);
   for (const PlaceAlignment& place :
        searchPlaces(query, places, kMetric, kWindow, SearchMethod::kRestarts, nullptr, pool)) {
     const Alignment& at = place.alignment;
-    const CellPlanes cells = places.cells(place.entry->id);
-    const PairCounts counts = countPairs(query.at(at.turn), at.shift, cells);
+    const CellPlanes cells = places.cells(place.place);
+    const PairCounts counts = countPairs(query.at(at.rotation), at.shift, cells);
     const int shift = at.shift.columns * at.shift.columns + at.shift.rows * at.shift.rows;
     EXPECT_NEAR(at.score,
                 pairScore(counts, kMetric.weights) - kMetric.shift_cost * shift -
-                    kMetric.turn_cost * at.turn * at.turn,
+                    kMetric.rotation_cost * at.rotation * at.rotation,
                 1e-9);
   }
 }
@@ -210,23 +210,23 @@ TEST(PlaceSearch, TheFirstPlacesStandOnSummits) {
   std::mt19937 engine(67);
   support::WorkerPool pool(2);
   const PlaceIndex places = spliced(600);
-  const QueryPlanes query(scanIn(6, engine, 0.25), kHeadingStep, kWindow.turns);
+  const QueryPlanes query(scanIn(6, engine, 0.25), kHeadingStep, kWindow.rotations);
   const auto found =
       searchPlaces(query, places, kMetric, kWindow, SearchMethod::kRestarts, nullptr, pool);
   for (std::size_t i = 0; i < kSurelyClimbed; ++i) {
     const Alignment& at = found[i].alignment;
-    const CellPlanes cells = places.cells(found[i].entry->id);
+    const CellPlanes cells = places.cells(found[i].place);
     for (const int by : {-1, 1}) {
       const CellShift aside{at.shift.columns + by, at.shift.rows};
       const CellShift ahead{at.shift.columns, at.shift.rows + by};
       if (std::abs(aside.columns) <= kWindow.cells) {
-        EXPECT_LE(scoreAt(query, cells, kMetric, aside, at.turn), at.score) << i;
+        EXPECT_LE(scoreAt(query, cells, kMetric, aside, at.rotation), at.score) << i;
       }
       if (std::abs(ahead.rows) <= kWindow.cells) {
-        EXPECT_LE(scoreAt(query, cells, kMetric, ahead, at.turn), at.score) << i;
+        EXPECT_LE(scoreAt(query, cells, kMetric, ahead, at.rotation), at.score) << i;
       }
-      if (std::abs(at.turn + by) <= kWindow.turns) {
-        EXPECT_LE(scoreAt(query, cells, kMetric, at.shift, at.turn + by), at.score) << i;
+      if (std::abs(at.rotation + by) <= kWindow.rotations) {
+        EXPECT_LE(scoreAt(query, cells, kMetric, at.shift, at.rotation + by), at.score) << i;
       }
     }
   }
@@ -236,12 +236,12 @@ TEST(PlaceSearch, EqualPlacesGoByTheirIds) {
   support::WorkerPool pool(2);
   const CellPlanes room = roomCells(7);
   PlaceIndex places;
-  for (PlaceId id = 1200; id >= 1; --id) places.put(id, {}, room);
+  for (PlaceId id = 1200; id >= 1; --id) places.put(id, room);
   std::mt19937 engine(68);
   const auto found = search(scanIn(7, engine, 0.25), places, kWindow, pool);
   ASSERT_EQ(found.size(), kMostRanked);
   for (std::size_t i = 0; i < kSurelyClimbed; ++i) {
-    EXPECT_EQ(found[i].entry->id, static_cast<PlaceId>(i + 1));
+    EXPECT_EQ(found[i].place, static_cast<PlaceId>(i + 1));
   }
 }
 
@@ -256,7 +256,7 @@ TEST(PlaceSearch, StopsWhereverItIsCancelled) {
   std::mt19937 engine(69);
   support::WorkerPool pool(1);  // other threads might leave the caller no task to poll after
   const PlaceIndex places = spliced(1300);
-  const QueryPlanes query(scanIn(6, engine, 0.25), kHeadingStep, kWindow.turns);
+  const QueryPlanes query(scanIn(6, engine, 0.25), kHeadingStep, kWindow.rotations);
   for (const int last : {1, 2, 4, 7}) {
     int polls = 0;
     const auto cancelled = [&] { return ++polls >= last; };

@@ -29,15 +29,16 @@ class FullSearchTest : public testing::TestWithParam<Case> {
 const SimulatedPlaces* FullSearchTest::simulated_ = nullptr;
 
 TEST_P(FullSearchTest, FindsWhatTryingEverythingFinds) {
-  const core::PlaceIndex index = SyntheticMemory(*simulated_, 21).index();
+  const core::PlaceIndex index = SyntheticMemory(*simulated_, 21).map().index;
   const core::SearchWindow window =
       core::searchWindow(0.6, GetParam().heading_window, core::kDefaultCellSize);
   core::LatticeMetric metric;
   metric.weights = GetParam().weights;
   metric.shift_cost = 0.01;
-  metric.turn_cost = 0.02;
+  metric.rotation_cost = 0.02;
   for (const std::size_t q : {0U, 7U, 16U}) {
-    const core::QueryPlanes query(simulated_->local[q].scan.grid, core::kHeadingStep, window.turns);
+    const core::QueryPlanes query(simulated_->local[q].scan.grid, core::kHeadingStep,
+                                  window.rotations);
     ScoredPlace expected;
     for (std::size_t i = 0; i < 21; ++i) {
       const core::CellPlanes place(simulated_->places[i].grid);
