@@ -1,14 +1,24 @@
 #include "node/place_memory_node.h"
 
+#include <nav_msgs/OccupancyGrid.h>
 #include <ros/console.h>
 
+#include <boost/algorithm/string/join.hpp>
+#include <filesystem>
+#include <utility>
+
+#include "node/answer/answer_words.h"
+#include "node/conversions.h"
+#include "node/input/sensor_placement.h"
 #include "node/map/memory_diagnostics.h"
+#include "node/node_names.h"
 #include "node/scan/sonar_diagnostics.h"
 
 namespace place_memory::node {
 namespace {
 
 const ros::WallDuration kDiagnosticsPeriod(1.0);
+const ros::WallDuration kAtOnce(0.001);
 constexpr int kTicksBetweenWarnings = 10;
 
 }  // namespace
@@ -19,14 +29,24 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       private_names_(private_names),
       parameters_(parameters),
       memory_(openMemory()),
-      publisher_(private_names_, *memory_, parameters_),
+      scans_(parameters_.scan.max_age),
       listener_(buffer_, names_),
+      scan_grid_(private_names_.advertise<nav_msgs::OccupancyGrid>(kScanGridTopic, 1, true)),
+      answer_publisher_(private_names_, *memory_, parameters_),
+      map_publisher_(private_names_, *memory_, parameters_, [this] { return locateRobot(); }),
+      map_frame_broadcaster_(names_, *memory_, parameters_),
       scan_server_(names_, private_names_, parameters_, buffer_, scanCallbacks()),
-      services_(private_names_, {*memory_, publisher_, scan_, parameters_, store_problem_}),
-      diagnostics_(names_, private_names_) {
+      diagnostics_(names_, private_names_),
+      services_(private_names_, {*memory_, answer_publisher_, scans_, parameters_, store_problem_}) {
+  setUpDiagnostics();
+  sayWhatIsUsed();
+}
+
+void PlaceMemoryNode::setUpDiagnostics() {
   diagnostics_.setHardwareID("none");
   diagnostics_.add("memory", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
-    diagnoseMemory(*memory_, parameters_.store, store_problem_, status);
+    diagnoseMemory(memory_->size(), memory_->storeHealth(), parameters_.store, store_problem_,
+                   status);
   });
   diagnostics_.add("sensors", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
     diagnoseSonars(scan_server_.health(), ros::Time::now(), status);
@@ -34,10 +54,40 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
   // Forced, because the updater's own pace is that of simulated time, which may stand still.
   diagnostics_timer_ = names_.createSteadyTimer(
       kDiagnosticsPeriod, [this](const ros::SteadyTimerEvent&) { onDiagnosticsTimer(); });
+  // On the thread of the other one, because the updater may be asked by one at a time.
+  health_timer_ = names_.createSteadyTimer(
+      kAtOnce, [this](const ros::SteadyTimerEvent&) { diagnostics_.force_update(); }, true, false);
+  memory_->watchStore([this](const core::StoreHealth& health) {
+    if (health.ok) {
+      ROS_INFO("The store can be written again");
+    } else {
+      ROS_ERROR("The store: %s", health.problem.c_str());
+    }
+    health_timer_.stop();
+    health_timer_.start();
+  });
+}
+
+void PlaceMemoryNode::sayWhatIsUsed() const {
+  std::vector<std::string> sonars;
+  for (const std::string& topic : parameters_.sonar_topics) {
+    sonars.push_back(names_.resolveName(topic));
+  }
+  const std::string odometry =
+      parameters_.odom_frame.empty() ? "none" : "from " + parameters_.odom_frame;
+  const std::string store = parameters_.store.empty() || !store_problem_.empty()
+                                ? "in memory only"
+                                : "in " + std::filesystem::absolute(parameters_.store).string();
+  ROS_INFO("Sonars on %s, heading on %s, odometry %s to %s, map %s; %s known, kept %s",
+           boost::algorithm::join(sonars, ", ").c_str(),
+           names_.resolveName(parameters_.heading_topic).c_str(), odometry.c_str(),
+           parameters_.base_frame.c_str(), parameters_.map_frame.c_str(),
+           placesInWords(memory_->size()).c_str(), store.c_str());
 }
 
 void PlaceMemoryNode::onDiagnosticsTimer() {
   diagnostics_.force_update();
+  map_publisher_.follow();
   if (ros::Time::isValid()) return;
   if (ticks_without_time_++ % kTicksBetweenWarnings == 0) {
     ROS_WARN("Waiting for simulated time on /clock");  // throttled logging needs a time itself
@@ -54,10 +104,9 @@ std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
   options.recognizer = parameters_.match.recognizer;
   options.adaptation = parameters_.places;
   options.sonar = parameters_.sonar;
+  options.clock = [] { return toNanoseconds(ros::Time::now()); };
   try {
-    auto memory = std::make_unique<core::PlaceMemory>(options);
-    ROS_INFO("%zu places are known", memory->size());
-    return memory;
+    return std::make_unique<core::PlaceMemory>(options);
   } catch (const core::StoreError& error) {
     store_problem_ = error.what();
     ROS_ERROR("Places are kept in memory only: %s", error.what());
@@ -69,18 +118,36 @@ std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
 ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
   ScanServer::Callbacks callbacks;
   callbacks.finished = [this](std::shared_ptr<const core::Scan> scan) {
-    publisher_.publishScan(*scan);
-    scan_.set(std::move(scan));
+    publishScan(*scan);
+    scans_.add(std::move(scan));
   };
-  callbacks.partial = [this](const core::Scan& scan) { publisher_.publishScan(scan); };
-  callbacks.time_jump = [this] { dropScan(); };
+  callbacks.partial = [this](const core::Scan& scan) { publishScan(scan); };
+  callbacks.time_jump = [this] { dropScans(); };
   return callbacks;
 }
 
-void PlaceMemoryNode::dropScan() {
-  scan_.drop();
-  memory_->forgetPreviousPlace();
+void PlaceMemoryNode::publishScan(const core::Scan& scan) {
+  scan_grid_.publish(toOccupancyGrid(scan.grid, scan.odom_from_scan,
+                                     makeHeader(scanFrame(parameters_), toRosTime(scan.end)),
+                                     parameters_.sonar.prior));
+}
+
+void PlaceMemoryNode::dropScans() {
+  scans_.drop();
+  memory_->forgetWhereabouts();
+  answer_publisher_.overtake();
   ROS_WARN("The newest scan is dropped, and the next place will be linked to none");
+}
+
+std::optional<core::Pose2d> PlaceMemoryNode::locateRobot() const {
+  const core::Whereabouts whereabouts = memory_->whereabouts();
+  ros::Time stamp;
+  if (!parameters_.odom_frame.empty() && whereabouts.map_from_odom) {
+    const auto base = lookupNewest(buffer_, parameters_.odom_frame, parameters_.base_frame, stamp);
+    if (base) return *whereabouts.map_from_odom * base->pose;
+  }
+  const std::optional<core::Place> place = memory_->place(whereabouts.previous);
+  return place ? std::optional<core::Pose2d>(place->map_from_place) : std::nullopt;
 }
 
 }  // namespace place_memory::node
