@@ -115,7 +115,7 @@ nav_msgs::OccupancyGrid toOccupancyGrid(const core::EvidenceGrid& grid,
   return message;
 }
 
-Recognition toMessage(const core::PlaceAnswer& answer, const std_msgs::Header& header,
+Recognition toMessage(const core::PlaceMemory::Answer& answer, const std_msgs::Header& header,
                       const ros::Duration& match_duration) {
   const core::Recognition& found = answer.recognition;
   Recognition message;

@@ -40,7 +40,7 @@ nav_msgs::OccupancyGrid toOccupancyGrid(const core::EvidenceGrid& grid,
                                         const core::Pose2d& frame_from_grid,
                                         const std_msgs::Header& header, double prior);
 
-Recognition toMessage(const core::PlaceAnswer& answer, const std_msgs::Header& header,
+Recognition toMessage(const core::PlaceMemory::Answer& answer, const std_msgs::Header& header,
                       const ros::Duration& match_duration);
 
 /// The frame in which scans lie: that of odometry, where there is one.

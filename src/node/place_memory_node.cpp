@@ -37,7 +37,8 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       map_frame_broadcaster_(names_, *memory_, parameters_),
       scan_server_(names_, private_names_, parameters_, buffer_, scanCallbacks()),
       diagnostics_(names_, private_names_),
-      services_(private_names_, {*memory_, answer_publisher_, scans_, parameters_, store_problem_}) {
+      services_(private_names_,
+                {*memory_, answer_publisher_, scans_, parameters_, store_problem_}) {
   setUpDiagnostics();
   sayWhatIsUsed();
 }

@@ -20,7 +20,7 @@ AnswerPublisher::AnswerPublisher(ros::NodeHandle& private_node, const core::Plac
   publishCurrentPlace();
 }
 
-void AnswerPublisher::publish(const core::Scan& scan, const core::PlaceAnswer& answer,
+void AnswerPublisher::publish(const core::Scan& scan, const core::PlaceMemory::Answer& answer,
                               const Recognition& message) {
   if (answer.superseded) return;
   const nav_msgs::OccupancyGrid grid = matchedGrid(scan, answer.recognition);

@@ -17,8 +17,8 @@
 
 namespace place_memory::node {
 
-/// Publishes where the robot is: ~recognition, ~pose, ~matched_grid and ~current_place, all latched.
-/// Thread-safe.
+/// Publishes where the robot is: ~recognition, ~pose, ~matched_grid and ~current_place, all
+/// latched. Thread-safe.
 ///
 /// An answer that was overtaken, by a newer one, by a place that was learned, or because the robot
 /// was carried, stays with the client who asked: who subscribes gets the newest.
@@ -29,7 +29,8 @@ class AnswerPublisher {
                   const config::Parameters& parameters);
 
   /// `message` is `answer` as the client gets it.
-  void publish(const core::Scan& scan, const core::PlaceAnswer& answer, const Recognition& message);
+  void publish(const core::Scan& scan, const core::PlaceMemory::Answer& answer,
+               const Recognition& message);
 
   /// A place was learned, or the robot was carried: answers to what was asked before are overtaken.
   void overtake();
@@ -39,8 +40,7 @@ class AnswerPublisher {
 
  private:
   void publishCurrentPlaceLocked(const core::Whereabouts& whereabouts);
-  nav_msgs::OccupancyGrid matchedGrid(const core::Scan& scan,
-                                      const core::Recognition& found) const;
+  nav_msgs::OccupancyGrid matchedGrid(const core::Scan& scan, const core::Recognition& found) const;
 
   const core::PlaceMemory& memory_;
   const config::Parameters& parameters_;

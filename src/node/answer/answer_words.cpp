@@ -9,7 +9,7 @@ std::string percent(double probability) {
   return std::to_string(std::lround(100.0 * probability)) + " %";
 }
 
-std::string verdictInWords(const core::PlaceAnswer& answer) {
+std::string verdictInWords(const core::PlaceMemory::Answer& answer) {
   const core::Recognition& found = answer.recognition;
   if (found.matches.empty()) return "not recognised: no place was learned yet";
   const std::string best = quoted(answer.labels.front()) + " with probability " +
@@ -33,17 +33,18 @@ std::string placesInWords(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " place" : " places");
 }
 
-std::string inWords(const core::PlaceAnswer& answer) {
+std::string inWords(const core::PlaceMemory::Answer& answer) {
   std::string words = verdictInWords(answer);
   if (answer.adapted) words += "; the scan was folded into the place";
   if (answer.joined > 0) {
     words += "; " + placesInWords(answer.joined) +
              " learned before it was known where the robot was moved to where they belong";
   }
-  if (!answer.store_problem.empty()) words += "; the map did not follow: " + answer.store_problem;
+  if (!answer.adapt_problem.empty()) words += "; the map did not follow: " + answer.adapt_problem;
   if (answer.superseded) {
-    words += "; a newer scan, or a jump of time or odometry, overtook this answer: it does not say "
-             "where the robot is now";
+    words +=
+        "; a newer scan, or a jump of time or odometry, overtook this answer: it does not say "
+        "where the robot is now";
   }
   return words;
 }

@@ -14,7 +14,7 @@ std::string quoted(const std::string& label);
 std::string placesInWords(std::size_t count);
 
 /// What a person who asked is told: the verdict, and what it changed or could not change.
-std::string inWords(const core::PlaceAnswer& answer);
+std::string inWords(const core::PlaceMemory::Answer& answer);
 
 }  // namespace place_memory::node
 

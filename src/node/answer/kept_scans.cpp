@@ -27,8 +27,8 @@ void KeptScans::drop() {
 std::shared_ptr<const core::Scan> KeptScans::find(std::uint64_t id) const {
   if (scans_.empty()) return nullptr;
   if (id == 0) return scans_.front();
-  const auto found = std::find_if(scans_.begin(), scans_.end(),
-                                  [id](const auto& scan) { return scan->id == id; });
+  const auto found =
+      std::find_if(scans_.begin(), scans_.end(), [id](const auto& scan) { return scan->id == id; });
   return found == scans_.end() ? nullptr : *found;
 }
 

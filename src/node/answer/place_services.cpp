@@ -101,7 +101,7 @@ void PlaceServices::learn(const LearnPlace::Request& request, LearnPlace::Respon
   const std::shared_ptr<const core::Scan> scan =
       takeScan(context_.scans, request.scan_id, response);
   if (!scan) return;
-  const core::LearnedPlace learned = context_.memory.learn(*scan, request.label);
+  const core::PlaceMemory::Learned learned = context_.memory.learn(*scan, request.label);
   context_.publisher.overtake();
   response.place_id = learned.place.id;
   response.label = learned.place.label;
@@ -137,7 +137,7 @@ void PlaceServices::match(const core::Scan& scan, double window,
   const auto is_cancelled = [this] { return cancelled_ || !ros::ok(); };
   const auto start = std::chrono::steady_clock::now();
   try {
-    const core::PlaceAnswer answer = context_.memory.recognize(scan, window, is_cancelled);
+    const core::PlaceMemory::Answer answer = context_.memory.recognize(scan, window, is_cancelled);
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
     response.recognition =
         toMessage(answer, makeHeader(context_.parameters.map_frame, toRosTime(scan.end)),

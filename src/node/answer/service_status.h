@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_NODE_ANSWER_SERVICE_STATUS_H
 #define PLACE_MEMORY_NODE_ANSWER_SERVICE_STATUS_H
 
+#include <place_memory/Clear.h>
 #include <place_memory/LearnPlace.h>
 #include <place_memory/RecognizePlace.h>
 #include <place_memory/RemovePlace.h>
@@ -14,10 +15,17 @@
 /// The status with which each service tells of a refusal.
 namespace place_memory::node {
 
-/// What a service cannot run into is as good as a store that failed: the map is as it was.
+/// Of services that change nothing.
 template <class Response>
 std::uint8_t toStatus(core::PlaceMemoryError::Reason /*reason*/) {
-  return Response::STORE_FAILED;
+  return Response::FAILED;
+}
+
+/// Here and below: what a change cannot run into is as good as a store that failed, because the map
+/// is as it was.
+template <>
+inline std::uint8_t toStatus<Clear::Response>(core::PlaceMemoryError::Reason /*reason*/) {
+  return Clear::Response::STORE_FAILED;
 }
 
 template <>
@@ -41,9 +49,14 @@ inline std::uint8_t toStatus<LearnPlace::Response>(core::PlaceMemoryError::Reaso
 
 template <>
 inline std::uint8_t toStatus<RecognizePlace::Response>(core::PlaceMemoryError::Reason reason) {
-  return reason == core::PlaceMemoryError::Reason::kWrongCells
-             ? RecognizePlace::Response::WRONG_CELLS
-             : RecognizePlace::Response::FAILED;
+  switch (reason) {
+    case core::PlaceMemoryError::Reason::kInvalidScan:
+      return RecognizePlace::Response::INVALID_SCAN;
+    case core::PlaceMemoryError::Reason::kWrongCells:
+      return RecognizePlace::Response::WRONG_CELLS;
+    default:
+      return RecognizePlace::Response::FAILED;
+  }
 }
 
 template <>

@@ -18,7 +18,8 @@ MapFrameBroadcaster::MapFrameBroadcaster(ros::NodeHandle& node, const core::Plac
                                          const config::Parameters& parameters)
     : memory_(memory), parameters_(parameters) {
   if (!parameters_.tf_broadcast) return;
-  timer_ = node.createTimer(ros::Duration(kPeriod), [this](const ros::TimerEvent&) { broadcast(); });
+  timer_ =
+      node.createTimer(ros::Duration(kPeriod), [this](const ros::TimerEvent&) { broadcast(); });
 }
 
 void MapFrameBroadcaster::broadcast() {

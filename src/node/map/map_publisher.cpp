@@ -34,7 +34,8 @@ MapPublisher::MapPublisher(ros::NodeHandle& private_node, core::PlaceMemory& mem
       place_graph_(private_node.advertise<PlaceGraph>(kPlaceGraphTopic, 1, true)),
       place_markers_(
           private_node.advertise<visualization_msgs::MarkerArray>(kPlaceMarkersTopic, 1, true)),
-      whole_map_("The map is not published", [this] { publishWholeMap(); }, kPause) {
+      whole_map_(
+          "The map is not published", [this] { publishWholeMap(); }, kPause) {
   core::MapChange nothing;
   nothing.version = memory_.version();
   nothing.stamp = memory_.map().stamp;
@@ -53,8 +54,8 @@ void MapPublisher::follow() {
   const std::optional<core::Pose2d> robot = locate_robot_();
   if (!robot) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (labels_around_ && std::hypot(robot->x - labels_around_->x, robot->y - labels_around_->y) <
-                            kLabelStep) {
+  if (labels_around_ &&
+      std::hypot(robot->x - labels_around_->x, robot->y - labels_around_->y) < kLabelStep) {
     return;
   }
   whole_map_.request();
@@ -69,8 +70,9 @@ void MapPublisher::publishWholeMap() {
     const std::lock_guard<std::mutex> lock(mutex_);
     labels_around_ = robot;
   }
-  place_markers_.publish(toMarkers(
-      map, robot.value_or(core::Pose2d()), static_cast<std::size_t>(parameters_.markers.labels), graph.header));
+  place_markers_.publish(toMarkers(map, robot.value_or(core::Pose2d()),
+                                   static_cast<std::size_t>(parameters_.markers.labels),
+                                   graph.header));
 }
 
 }  // namespace place_memory::node

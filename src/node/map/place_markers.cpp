@@ -91,9 +91,9 @@ Marker makeLabel(const std_msgs::Header& header, const core::Place& place) {
 
 // Places are by rising id.
 const core::Place* find(const std::vector<core::Place>& places, core::PlaceId id) {
-  const auto at =
-      std::lower_bound(places.begin(), places.end(), id,
-                       [](const core::Place& place, core::PlaceId wanted) { return place.id < wanted; });
+  const auto at = std::lower_bound(
+      places.begin(), places.end(), id,
+      [](const core::Place& place, core::PlaceId wanted) { return place.id < wanted; });
   return at == places.end() || at->id != id ? nullptr : &*at;
 }
 
@@ -120,10 +120,9 @@ std::vector<const core::Place*> nearest(const std::vector<core::Place>& places,
   const auto distance = [&to](const core::Place& place) {
     return std::hypot(place.map_from_place.x - to.x, place.map_from_place.y - to.y);
   };
-  std::nth_element(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end(),
-                   [&](const core::Place* a, const core::Place* b) {
-                     return distance(*a) < distance(*b);
-                   });
+  std::nth_element(
+      found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end(),
+      [&](const core::Place* a, const core::Place* b) { return distance(*a) < distance(*b); });
   found.resize(count);
   return found;
 }

@@ -47,8 +47,7 @@ void RatedTask::run() {
     doTask();
     const auto end = std::chrono::steady_clock::now();
     lock.lock();
-    const auto pause =
-        std::max<std::chrono::nanoseconds>(least_pause_, kPauses * (end - begin));
+    const auto pause = std::max<std::chrono::nanoseconds>(least_pause_, kPauses * (end - begin));
     if (changed_.wait_until(lock, end + pause, [this] { return stopped_; })) return;
   }
 }
