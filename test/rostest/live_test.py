@@ -29,6 +29,7 @@ SERVICES = {
     "rename_place": srv.RenamePlace,
     "remove_place": srv.RemovePlace,
     "clear": srv.Clear,
+    "get_graph": srv.GetGraph,
 }
 
 
@@ -216,6 +217,10 @@ class LiveTestCase(unittest.TestCase):
         response = self.node.call("learn_place", label=label)
         self.assertEqual(response.status, response.OK, response.message)
         return response
+
+    def graph(self):
+        """The whole map, as it is now."""
+        return self.node.call("get_graph").graph
 
     def labels(self):
         return [place.label for place in self.node.call("list_places").places]

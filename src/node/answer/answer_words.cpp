@@ -35,12 +35,15 @@ std::string placesInWords(std::size_t count) {
 
 std::string inWords(const core::PlaceMemory::Answer& answer) {
   std::string words = verdictInWords(answer);
-  if (answer.adapted) words += "; the scan was folded into the place";
+  if (answer.adapted) words += "; the scan was folded into " + quoted(answer.labels.front());
   if (answer.joined > 0) {
     words += "; " + placesInWords(answer.joined) +
              " learned before it was known where the robot was moved to where they belong";
   }
-  if (!answer.adapt_problem.empty()) words += "; the map did not follow: " + answer.adapt_problem;
+  if (!answer.adapt_problem.empty()) {
+    words += "; the map did not follow, the scan was not folded into " +
+             quoted(answer.labels.front()) + ": " + answer.adapt_problem;
+  }
   if (answer.superseded) {
     words +=
         "; a newer scan, or a jump of time or odometry, overtook this answer: it does not say "

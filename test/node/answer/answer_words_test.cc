@@ -33,11 +33,11 @@ TEST(InWords, WhatBecameOfTheMapIsSaid) {
   Answer answer = makeAnswer(core::Verdict::kRecognized);
   EXPECT_FALSE(says(answer, ";"));
   answer.adapted = true;
-  EXPECT_TRUE(says(answer, "folded into the place"));
+  EXPECT_TRUE(says(answer, "the scan was folded into \"e\""));
   answer.joined = 3;
   EXPECT_TRUE(says(answer, "3 places learned before"));
   answer.adapt_problem = "the disk is full";
-  EXPECT_TRUE(says(answer, "the map did not follow: the disk is full"));
+  EXPECT_TRUE(says(answer, "not folded into \"e\": the disk is full"));
   answer.superseded = true;
   EXPECT_TRUE(says(answer, "overtook"));
 }
