@@ -2,10 +2,12 @@
 
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/console.h>
+#include <ros/names.h>
 
 #include <boost/algorithm/string/join.hpp>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "node/answer/answer_words.h"
 #include "node/conversions.h"
@@ -20,6 +22,19 @@ namespace {
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 const ros::WallDuration kAtOnce(0.001);
 constexpr int kTicksBetweenWarnings = 10;
+
+// A remapping of a topic that the parameters do not name has no effect.
+void warnOfUnusedRemapping(const ros::NodeHandle& names, const std::string& name,
+                           const std::vector<std::string>& topics, const char* parameter) {
+  const std::string from = names.resolveName(name, false);
+  const auto remapped = ros::names::getRemappings().find(from);
+  if (remapped == ros::names::getRemappings().end() || remapped->second == from) return;
+  for (const std::string& topic : topics) {
+    if (names.resolveName(topic, false) == from) return;
+  }
+  ROS_WARN("%s:=%s has no effect, because parameter %s names other topics", name.c_str(),
+           remapped->second.c_str(), parameter);
+}
 
 }  // namespace
 
@@ -70,6 +85,8 @@ void PlaceMemoryNode::setUpDiagnostics() {
 }
 
 void PlaceMemoryNode::sayWhatIsUsed() const {
+  warnOfUnusedRemapping(names_, "sonar", parameters_.sonar_topics, "sonar_topics");
+  warnOfUnusedRemapping(names_, "heading", {parameters_.heading_topic}, "heading_topic");
   std::vector<std::string> sonars;
   for (const std::string& topic : parameters_.sonar_topics) {
     sonars.push_back(names_.resolveName(topic));
