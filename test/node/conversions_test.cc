@@ -115,7 +115,8 @@ TEST(ToMessage, EachVerdictHasItsConstant) {
 }
 
 TEST(ToNanoseconds, IsTheReverseOfToRosTime) {
-  for (const ros::Time time : {ros::Time(0, 0), ros::Time(1500000000, 7), ros::TIME_MAX}) {
+  for (const ros::Time time :
+       {ros::Time(0, 0), ros::Time(1500000000, 7), ros::Time(4294967295, 0)}) {
     EXPECT_EQ(toRosTime(toNanoseconds(time)), time);
   }
 }
