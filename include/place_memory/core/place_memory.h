@@ -104,6 +104,8 @@ class PlaceMemory {
   void forgetPreviousPlace();
 
  private:
+  /// Nothing where one of the places is gone.
+  std::optional<std::vector<PlaceFrame>> framesOf(const std::vector<PlaceId>& places) const;
   const Place& findLocked(const std::string& label) const;
   std::string newLabelLocked(const std::string& wanted) const;
   std::optional<std::vector<std::string>> labelsLocked(

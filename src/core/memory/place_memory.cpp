@@ -40,9 +40,7 @@ PlaceMemory::PlaceMemory(const PlaceMemoryOptions& options)
   if (!(adaptation_.retention >= 0.0 && adaptation_.retention < 1.0)) {
     throw std::invalid_argument("adaptation retention must lie in [0, 1)");
   }
-  store_.forEachPlanes([this](PlaceId id, const CellPlanes& planes) {
-    index_.put(id, graph_.find(id)->map_from_place, planes);
-  });
+  store_.forEachPlanes([this](PlaceId id, const CellPlanes& planes) { index_.put(id, planes); });
 }
 
 Place PlaceMemory::learn(const Scan& scan, const std::string& label) {
@@ -63,7 +61,7 @@ Place PlaceMemory::learn(const Scan& scan, const std::string& label) {
   place.id = onStore([&] { return store_.add(place, scan.grid, previous_); });
   graph_.add(place);
   if (previous_ != kNoPlace) graph_.link(previous_, place.id);
-  index_.put(place.id, place.map_from_place, scan.grid);
+  index_.put(place.id, scan.grid);
   previous_ = place.id;
   newest_answer_ = ++questions_;
   return place;
@@ -79,7 +77,10 @@ LabelledRecognition PlaceMemory::recognize(const Scan& scan, double heading_wind
       snapshot = index_;
       if (question == 0) question = ++questions_;
     }
-    Recognition recognition = recognizer_.recognize(scan, snapshot, heading_window, cancelled);
+    const auto frames = [this](const std::vector<PlaceId>& places) { return framesOf(places); };
+    auto found = recognizer_.recognize(scan, snapshot, frames, heading_window, cancelled);
+    if (!found) continue;
+    Recognition& recognition = *found;
     const std::lock_guard<std::mutex> lock(mutex_);
     // The verdict and the probabilities weighed every match, so one of a place that is gone by now
     // cannot just be left out.
@@ -107,7 +108,7 @@ bool PlaceMemory::adapt(const Scan& scan, const Recognition& recognition) {
     EvidenceGrid grid = store_.grid(match.id);
     fuse(sensed, adaptation_.retention, grid);
     store_.update(match.id, grid);
-    index_.put(match.id, place->map_from_place, grid);
+    index_.put(match.id, grid);
   });
   last_folded_ = scan.end;
   return true;
@@ -177,6 +178,19 @@ void PlaceMemory::forgetPreviousPlace() {
   const std::lock_guard<std::mutex> lock(mutex_);
   previous_ = kNoPlace;
   newest_answer_ = ++questions_;
+}
+
+std::optional<std::vector<PlaceFrame>> PlaceMemory::framesOf(
+    const std::vector<PlaceId>& places) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<PlaceFrame> frames;
+  frames.reserve(places.size());
+  for (const PlaceId id : places) {
+    const Place* place = graph_.find(id);
+    if (place == nullptr) return std::nullopt;
+    frames.push_back({place->map_from_place});
+  }
+  return frames;
 }
 
 const Place& PlaceMemory::findLocked(const std::string& label) const {
