@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/map/place_label.h"
 #include "core/store/sqlite.h"
 #include "core/store/store_file.h"
 #include "core/store/store_migration.h"
@@ -29,30 +28,86 @@ void checkCellSize(SqliteDatabase& database, double cell_size, bool of_all) {
   }
 }
 
-void readPlaces(SqliteDatabase& database, PlaceGraph* graph) {
-  SqliteStatement row(database, "SELECT id, label, x, y, yaw, learned_ns FROM place");
+std::vector<Place> readPlaces(SqliteDatabase& database) {
+  std::vector<Place> places;
+  SqliteStatement row(database, "SELECT id, label, x, y, yaw, learned_ns FROM place ORDER BY id");
   while (row.step()) {
-    const Place place{row.integer(0),
-                      row.text(1),
-                      {row.real(2), row.real(3), row.real(4)},
-                      std::chrono::nanoseconds(row.integer(5))};
-    if (!isValidLabel(place.label) || !place.map_from_place.isFinite()) {
-      throw std::invalid_argument("place " + std::to_string(place.id) +
-                                  " has no valid label or location");
-    }
-    graph->add(place);
+    Place& place = places.emplace_back();
+    place.id = row.integer(0);
+    place.label = row.text(1);
+    place.map_from_place = {row.real(2), row.real(3), row.real(4)};
+    place.learned = std::chrono::nanoseconds(row.integer(5));
   }
+  return places;
 }
 
-void readLinks(SqliteDatabase& database, PlaceGraph* graph) {
+std::vector<PlaceLink> readLinks(SqliteDatabase& database) {
+  std::vector<PlaceLink> links;
   SqliteStatement row(database, "SELECT first_id, second_id FROM link");
-  while (row.step()) graph->link(row.integer(0), row.integer(1));
+  while (row.step()) {
+    PlaceLink& link = links.emplace_back();
+    link.first = row.integer(0);
+    link.second = row.integer(1);
+  }
+  return links;
 }
 
 void insertLink(SqliteDatabase& database, PlaceId one, PlaceId other) {
   SqliteStatement insert(database, "INSERT OR IGNORE INTO link VALUES(?, ?)");
   insert.bind(std::min(one, other)).bind(std::max(one, other)).run();
 }
+
+/// Writes edits into the tables.
+class RowEditor {
+ public:
+  explicit RowEditor(SqliteDatabase& database) : database_(database) {}
+
+  void operator()(const PlaceAdded& edit) {
+    const Place& place = edit.place;
+    SqliteStatement(database_, "INSERT INTO place VALUES(?, ?, ?, ?, ?, ?)")
+        .bind(place.id)
+        .bind(place.label)
+        .bind(place.map_from_place.x)
+        .bind(place.map_from_place.y)
+        .bind(place.map_from_place.yaw)
+        .bind(place.learned.count())
+        .run();
+    insertGrid(database_, place.id, *edit.grid);
+    insertPlanes(database_, place.id, CellPlanes(*edit.grid));
+  }
+  void operator()(const PlaceMoved& edit) {
+    SqliteStatement(database_, "UPDATE place SET x = ?, y = ?, yaw = ? WHERE id = ?")
+        .bind(edit.map_from_place.x)
+        .bind(edit.map_from_place.y)
+        .bind(edit.map_from_place.yaw)
+        .bind(edit.id)
+        .run();
+  }
+  void operator()(const PlaceRenamed& edit) {
+    SqliteStatement(database_, "UPDATE place SET label = ? WHERE id = ?")
+        .bind(edit.label)
+        .bind(edit.id)
+        .run();
+  }
+  void operator()(const GridAdapted& edit) { updateGrid(database_, edit.id, *edit.grid); }
+  void operator()(const PlaceRemoved& edit) {
+    SqliteStatement(database_, "DELETE FROM place WHERE id = ?").bind(edit.id).run();
+  }
+  void operator()(const LinkAdded& edit) {
+    insertLink(database_, edit.link.first, edit.link.second);
+  }
+  void operator()(const LinkRemoved& edit) {
+    SqliteStatement(database_, "DELETE FROM link WHERE first_id = ? AND second_id = ?")
+        .bind(std::min(edit.first, edit.second))
+        .bind(std::max(edit.first, edit.second))
+        .run();
+  }
+  void operator()(const LinkLearned& /*edit*/) {}
+  void operator()(const MapCleared& /*edit*/) { database_.execute("DELETE FROM place"); }
+
+ private:
+  SqliteDatabase& database_;
+};
 
 }  // namespace
 
@@ -68,15 +123,26 @@ PlaceStore::~PlaceStore() = default;
 PlaceStore::PlaceStore(PlaceStore&&) noexcept = default;
 PlaceStore& PlaceStore::operator=(PlaceStore&&) noexcept = default;
 
-PlaceGraph PlaceStore::graph() const {
-  PlaceGraph graph;
+PlaceMap PlaceStore::map() const {
   try {
-    readPlaces(*database_, &graph);
-    readLinks(*database_, &graph);
+    return PlaceMap(readPlaces(*database_), readLinks(*database_), 0, {});
   } catch (const std::invalid_argument& error) {
     throwStoreError(database_->path(), std::string("is damaged: ") + error.what());
   }
-  return graph;
+}
+
+PlaceId PlaceStore::nextId() const {
+  SqliteStatement query(*database_, "SELECT seq FROM sqlite_sequence WHERE name = 'place'");
+  return query.step() ? query.integer(0) + 1 : kNoPlace + 1;
+}
+
+SessionId PlaceStore::nextSession() const { return nextId() > 1 ? 2 : kFirstSession; }
+
+void PlaceStore::commit(const MapChange& change) {
+  SqliteTransaction transaction(*database_);
+  RowEditor editor(*database_);
+  for (const MapEdit& edit : change.edits) std::visit(editor, edit);
+  transaction.commit();
 }
 
 EvidenceGrid PlaceStore::grid(PlaceId id) const {

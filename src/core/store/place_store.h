@@ -10,29 +10,14 @@
 
 #include "core/grid/cell_planes.h"
 #include "place_memory/core/evidence_grid.h"
+#include "place_memory/core/map_change.h"
 #include "place_memory/core/place.h"
-#include "place_memory/core/place_graph.h"
+#include "place_memory/core/place_map.h"
+#include "place_memory/core/store_opening.h"
 
 namespace place_memory::core {
 
 class SqliteDatabase;
-
-/// What is wrong with a store, in a sentence that names its file.
-class StoreError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Is told in a sentence, now and then, how far a long work has come.
-using StoreProgress = std::function<void(const std::string& sentence)>;
-
-struct StoreOpening {
-  /// A store that is no larger is read and checked from end to end when it is opened [bytes]: about
-  /// 48 000 places in a second. So is one whose last user did not end in good order, as
-  /// with power that fails. Of a larger one each row is checked when it is read.
-  std::uintmax_t full_check_size = std::uintmax_t{256} << 20U;
-  StoreProgress progress;  ///< may be null
-};
 
 /// Places, grids and links in an SQLite file: every change is one transaction, ids are never used
 /// again, and grids are read on demand.
@@ -56,7 +41,11 @@ class PlaceStore {
   PlaceStore& operator=(PlaceStore&&) noexcept;
 
   /// Every place and link. Throws StoreError.
-  PlaceGraph graph() const;
+  PlaceMap map() const;
+  /// Of the next place.
+  PlaceId nextId() const;
+  /// Of the next session.
+  SessionId nextSession() const;
   /// Throws StoreError where the place is unknown or its grid cannot be read.
   EvidenceGrid grid(PlaceId id) const;
   /// Calls with every grid, by rising id of its place. Throws StoreError.
@@ -65,6 +54,9 @@ class PlaceStore {
   void forEachPlanes(const std::function<void(PlaceId, const CellPlanes&)>& call) const;
 
   // Each of these throws StoreError where the change cannot be made; the store is then as it was.
+
+  /// One transaction, whatever its edits.
+  void commit(const MapChange& change);
 
   /// Adds a place with a new id, whatever `place.id` is, and links it to `came_from` unless that is
   /// kNoPlace. Returns the id.
