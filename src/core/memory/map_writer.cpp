@@ -40,7 +40,9 @@ MemoryState::MemoryState(const PlaceStore& store, bool located)
 }
 
 MapWriter::MapWriter(PlaceStore store, MemoryState& state, Clock clock)
-    : store_(std::move(store)), state_(state), clock_(std::move(clock)) {}
+    : store_(std::move(store)), state_(state), clock_(std::move(clock)) {
+  report(store_.whyReadOnly());
+}
 
 void MapWriter::commit(std::vector<MapEdit> edits, const std::function<void()>& settle) {
   if (edits.empty()) return;
@@ -84,8 +86,8 @@ void MapWriter::report(const std::string& problem) {
   StoreHealth health;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (problem == health_.problem) return;
-    health_ = {problem.empty(), problem, clock_()};
+    if (problem == health_.problem && store_.setAside() == health_.set_aside) return;
+    health_ = {problem.empty(), problem, clock_(), store_.setAside()};
     health = health_;
     watchers = watchers_;
   }
