@@ -48,7 +48,8 @@ struct Parameters {
   std::string map_frame = "map";
   std::vector<std::string> sonar_topics = {"sonar"};
   std::string heading_topic = "heading";
-  std::string store;  ///< path; empty: in memory only
+  std::string store;                 ///< path; empty: in memory only
+  double time_jump_tolerance = 1.0;  ///< [s]
 
   core::GridGeometry grid;
   core::SonarModelOptions sonar;

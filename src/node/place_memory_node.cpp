@@ -3,7 +3,8 @@
 #include <ros/console.h>
 
 #include "node/map/memory_diagnostics.h"
-#include "node/scan/sonar_diagnostics.h"
+#include "node/ros_time.h"
+#include "node/scan/input_diagnostics.h"
 
 namespace place_memory::node {
 namespace {
@@ -20,20 +21,31 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       parameters_(parameters),
       memory_(openMemory()),
       publisher_(private_names_, *memory_, parameters_),
-      listener_(buffer_, names_),
-      scan_server_(names_, private_names_, parameters_, buffer_, scanCallbacks()),
+      transforms_(names_, buffer_),
+      scan_server_(names_, private_names_, parameters_, buffer_, transforms_, scanCallbacks()),
       services_(private_names_, {*memory_, publisher_, scan_, parameters_, store_problem_}),
       diagnostics_(names_, private_names_) {
-  diagnostics_.setHardwareID("none");
-  diagnostics_.add("memory", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
-    diagnoseMemory(*memory_, parameters_.store, store_problem_, status);
-  });
-  diagnostics_.add("sensors", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
-    diagnoseSonars(scan_server_.health(), ros::Time::now(), status);
-  });
+  addDiagnostics();
+  names_.setCallbackQueue(&queue_);
   // Forced, because the updater's own pace is that of simulated time, which may stand still.
   diagnostics_timer_ = names_.createSteadyTimer(
       kDiagnosticsPeriod, [this](const ros::SteadyTimerEvent&) { onDiagnosticsTimer(); });
+}
+
+void PlaceMemoryNode::addDiagnostics() {
+  using Status = diagnostic_updater::DiagnosticStatusWrapper;
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("memory", [this](Status& status) {
+    diagnoseMemory(*memory_, parameters_.store, store_problem_, status);
+  });
+  diagnostics_.add("sensors",
+                   [this](Status& status) { diagnoseSonars(scan_server_.health(), status); });
+  diagnostics_.add("compass",
+                   [this](Status& status) { diagnoseCompass(scan_server_.health(), status); });
+  diagnostics_.add("transforms", [this](Status& status) {
+    diagnoseTransforms(buffer_, transforms_.leftOut(), scan_server_.health(), parameters_, rosNow(),
+                       status);
+  });
 }
 
 void PlaceMemoryNode::onDiagnosticsTimer() {

@@ -4,14 +4,15 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
 #include <ros/wall_timer.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2/buffer_core.h>
 
 #include <memory>
 #include <string>
 
 #include "config/parameters.h"
 #include "node/answer/place_services.h"
+#include "node/guarded_queue.h"
+#include "node/input/transform_input.h"
 #include "node/map/memory_publisher.h"
 #include "node/scan/newest_scan.h"
 #include "node/scan/scan_server.h"
@@ -27,15 +28,20 @@ class PlaceMemoryNode {
   PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
                   const config::Parameters& parameters);
 
+  /// Handles what is to be done on the caller's thread, and waits so long for it.
+  void spinOnce(const ros::WallDuration& wait) { queue_.callAvailable(wait); }
+
   /// Ends a scan that runs and stops the robot. To be called before ros::shutdown().
   void stop();
 
  private:
   std::unique_ptr<core::PlaceMemory> openMemory();
+  void addDiagnostics();
   ScanServer::Callbacks scanCallbacks();
   void dropScan();
   void onDiagnosticsTimer();
 
+  GuardedQueue queue_{"diagnostics"};
   ros::NodeHandle names_;
   ros::NodeHandle private_names_;
   const config::Parameters parameters_;
@@ -44,8 +50,8 @@ class PlaceMemoryNode {
   const std::unique_ptr<core::PlaceMemory> memory_;
   NewestScan scan_;
   MemoryPublisher publisher_;
-  tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_;
+  tf2::BufferCore buffer_;
+  TransformInput transforms_;
   ScanServer scan_server_;
   PlaceServices services_;
   diagnostic_updater::Updater diagnostics_;

@@ -7,7 +7,6 @@
 #include <place_memory/RecognizePlace.h>
 #include <place_memory/RemovePlace.h>
 #include <place_memory/RenamePlace.h>
-#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
 #include <ros/spinner.h>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "config/parameters.h"
+#include "node/guarded_queue.h"
 #include "node/map/memory_publisher.h"
 #include "node/scan/newest_scan.h"
 #include "place_memory/core/place_memory.h"
@@ -61,8 +61,8 @@ class PlaceServices {
   std::atomic<bool> cancelled_{false};
 
   // The spinners stop before the queues they work on go.
-  ros::CallbackQueue match_queue_;
-  ros::CallbackQueue edit_queue_;
+  GuardedQueue match_queue_{"matches"};
+  GuardedQueue edit_queue_{"edits"};
   std::vector<ros::ServiceServer> servers_;
   ros::AsyncSpinner match_spinner_;
   ros::AsyncSpinner edit_spinner_;
