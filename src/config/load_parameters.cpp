@@ -89,6 +89,7 @@ Parameters readAll(ParameterReader& reader) {
   reader.texts("sonar_topics", checkTopic, parameters.sonar_topics);
   reader.text("heading_topic", checkTopic, parameters.heading_topic);
   reader.text("store", anything, parameters.store);
+  reader.number("time_jump_tolerance", closed(0.0, 60.0), parameters.time_jump_tolerance);
   reader.number("grid/cell_size", closed(0.001, 100.0), parameters.grid.cell_size);
   readSonar(reader, parameters.sonar);
   readScan(reader, parameters.scan);

@@ -55,7 +55,8 @@ struct Parameters {
   bool tf_broadcast = false;  ///< map_frame -> odom_frame
   std::vector<std::string> sonar_topics = {"sonar"};
   std::string heading_topic = "heading";
-  std::string store;  ///< path; empty: in memory only
+  std::string store;                 ///< path; empty: in memory only
+  double time_jump_tolerance = 1.0;  ///< [s]
 
   core::GridGeometry grid;
   core::SonarModelOptions sonar;

@@ -56,10 +56,6 @@ ros::Time toRosTime(std::chrono::nanoseconds time) {
   return message;
 }
 
-std::chrono::nanoseconds toNanoseconds(const ros::Time& time) {
-  return std::chrono::seconds(time.sec) + std::chrono::nanoseconds(time.nsec);
-}
-
 std_msgs::Header makeHeader(const std::string& frame_id, const ros::Time& stamp) {
   std_msgs::Header header;
   header.frame_id = frame_id;

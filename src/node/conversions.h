@@ -22,7 +22,6 @@ namespace place_memory::node {
 
 /// The nearest time a message can hold: from 0 to the year 2106.
 ros::Time toRosTime(std::chrono::nanoseconds time);
-std::chrono::nanoseconds toNanoseconds(const ros::Time& time);
 
 std_msgs::Header makeHeader(const std::string& frame_id, const ros::Time& stamp);
 

@@ -14,7 +14,8 @@
 #include "node/input/sensor_placement.h"
 #include "node/map/memory_diagnostics.h"
 #include "node/node_names.h"
-#include "node/scan/sonar_diagnostics.h"
+#include "node/ros_time.h"
+#include "node/scan/input_diagnostics.h"
 
 namespace place_memory::node {
 namespace {
@@ -22,6 +23,12 @@ namespace {
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 const ros::WallDuration kAtOnce(0.001);
 constexpr int kTicksBetweenWarnings = 10;
+
+ros::NodeHandle withQueue(const ros::NodeHandle& names, ros::CallbackQueueInterface& queue) {
+  ros::NodeHandle with_queue(names);
+  with_queue.setCallbackQueue(&queue);
+  return with_queue;
+}
 
 // A remapping of a topic that the parameters do not name has no effect.
 void warnOfUnusedRemapping(const ros::NodeHandle& names, const std::string& name,
@@ -40,17 +47,17 @@ void warnOfUnusedRemapping(const ros::NodeHandle& names, const std::string& name
 
 PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
                                  const config::Parameters& parameters)
-    : names_(names),
+    : names_(withQueue(names, queue_)),
       private_names_(private_names),
       parameters_(parameters),
       memory_(openMemory()),
       scans_(parameters_.scan.max_age),
-      listener_(buffer_, names_),
+      transforms_(names_, buffer_),
       scan_grid_(private_names_.advertise<nav_msgs::OccupancyGrid>(kScanGridTopic, 1, true)),
       answer_publisher_(private_names_, *memory_, parameters_),
       map_publisher_(private_names_, *memory_, parameters_, [this] { return locateRobot(); }),
       map_frame_broadcaster_(names_, *memory_, parameters_),
-      scan_server_(names_, private_names_, parameters_, buffer_, scanCallbacks()),
+      scan_server_(names_, private_names_, parameters_, buffer_, transforms_, scanCallbacks()),
       diagnostics_(names_, private_names_),
       services_(private_names_,
                 {*memory_, answer_publisher_, scans_, parameters_, store_problem_}) {
@@ -59,13 +66,19 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
 }
 
 void PlaceMemoryNode::setUpDiagnostics() {
+  using Status = diagnostic_updater::DiagnosticStatusWrapper;
   diagnostics_.setHardwareID("none");
-  diagnostics_.add("memory", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
+  diagnostics_.add("memory", [this](Status& status) {
     diagnoseMemory(memory_->size(), memory_->storeHealth(), parameters_.store, store_problem_,
                    status);
   });
-  diagnostics_.add("sensors", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
-    diagnoseSonars(scan_server_.health(), ros::Time::now(), status);
+  diagnostics_.add("sensors",
+                   [this](Status& status) { diagnoseSonars(scan_server_.health(), status); });
+  diagnostics_.add("compass",
+                   [this](Status& status) { diagnoseCompass(scan_server_.health(), status); });
+  diagnostics_.add("transforms", [this](Status& status) {
+    diagnoseTransforms(buffer_, transforms_.leftOut(), scan_server_.health(), parameters_, rosNow(),
+                       status);
   });
   // Forced, because the updater's own pace is that of simulated time, which may stand still.
   diagnostics_timer_ = names_.createSteadyTimer(
@@ -122,7 +135,7 @@ std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
   options.recognizer = parameters_.match.recognizer;
   options.adaptation = parameters_.places;
   options.sonar = parameters_.sonar;
-  options.clock = [] { return toNanoseconds(ros::Time::now()); };
+  options.clock = rosNow;
   try {
     return std::make_unique<core::PlaceMemory>(options);
   } catch (const core::StoreError& error) {
@@ -159,7 +172,7 @@ void PlaceMemoryNode::dropScans() {
 
 std::optional<core::Pose2d> PlaceMemoryNode::locateRobot() const {
   const core::Whereabouts whereabouts = memory_->whereabouts();
-  ros::Time stamp;
+  std::chrono::nanoseconds stamp{0};
   if (!parameters_.odom_frame.empty() && whereabouts.map_from_odom) {
     const auto base = lookupNewest(buffer_, parameters_.odom_frame, parameters_.base_frame, stamp);
     if (base) return *whereabouts.map_from_odom * base->pose;

@@ -5,8 +5,7 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/wall_timer.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2/buffer_core.h>
 
 #include <memory>
 #include <optional>
@@ -16,6 +15,8 @@
 #include "node/answer/answer_publisher.h"
 #include "node/answer/kept_scans.h"
 #include "node/answer/place_services.h"
+#include "node/guarded_queue.h"
+#include "node/input/transform_input.h"
 #include "node/map/map_frame_broadcaster.h"
 #include "node/map/map_publisher.h"
 #include "node/scan/scan_server.h"
@@ -31,6 +32,9 @@ class PlaceMemoryNode {
   PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
                   const config::Parameters& parameters);
 
+  /// Handles what is to be done on the caller's thread, and waits so long for it.
+  void spinOnce(const ros::WallDuration& wait) { queue_.callAvailable(wait); }
+
   /// Ends a scan that runs and stops the robot. To be called before ros::shutdown().
   void stop();
 
@@ -44,6 +48,7 @@ class PlaceMemoryNode {
   void onDiagnosticsTimer();
   void sayWhatIsUsed() const;
 
+  GuardedQueue queue_{"diagnostics"};
   ros::NodeHandle names_;
   ros::NodeHandle private_names_;
   const config::Parameters parameters_;
@@ -51,8 +56,8 @@ class PlaceMemoryNode {
   std::string store_problem_;  ///< why the store is not used; empty: it is, or none is configured
   const std::unique_ptr<core::PlaceMemory> memory_;
   KeptScans scans_;
-  tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_;
+  tf2::BufferCore buffer_;
+  TransformInput transforms_;
   ros::Publisher scan_grid_;
   AnswerPublisher answer_publisher_;
   MapPublisher map_publisher_;

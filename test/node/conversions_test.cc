@@ -6,6 +6,8 @@
 #include <limits>
 #include <map>
 
+#include "node/ros_time.h"
+
 namespace place_memory::node {
 namespace {
 

@@ -40,14 +40,15 @@ def executable(name):
 class Node:
     """A place_memory_node in a namespace of its own, and its services."""
 
-    def __init__(self, namespace, parameters, log):
+    def __init__(self, namespace, parameters, log, arguments=()):
         self.name = namespace + "/place_memory"
         for name, value in parameters.items():
             rospy.set_param(self.name + "/" + name, value)
         self.log = log
         with open(log, "w") as file:
             self.process = subprocess.Popen(
-                [executable("place_memory_node"), "__ns:=" + namespace, "__name:=place_memory"],
+                [executable("place_memory_node"), "__ns:=" + namespace, "__name:=place_memory",
+                 *arguments],
                 stdout=file, stderr=subprocess.STDOUT,
                 restore_signals=False)  # a write beyond a limit is to fail, not to kill
 

@@ -273,6 +273,58 @@ class LiveDiagnosticsTest(live_test.LiveTestCase):
         self.assert_answer(response, response.OK)
         self.wait_for("memory", DiagnosticStatus.OK, "0 places")
 
+    def test_a_sensor_falls_silent_though_time_was_set_back(self):
+        self.start_node()
+        self.wait_for("sensors", DiagnosticStatus.OK, "16 sensors")
+        self.world.set_time(self.world.now - 500.0)
+        self.robot.edit_range = lambda sensor, message: None if sensor == 3 else message
+        self.wait_for("sensors", DiagnosticStatus.WARN, "sonar_3", "silent")
+
+    def test_nan_after_a_good_while_shows(self):
+        self.start_node()
+        self.run_for(30.0)
+        self.wait_for("sensors", DiagnosticStatus.OK, "16 sensors")
+
+        def edit(sensor, message):
+            message.range = float("nan")
+            return message
+
+        self.robot.edit_range = edit
+        self.wait_for("sensors", DiagnosticStatus.WARN, "sonar_0", "rejected")
+
+    def test_a_sensor_that_is_corrected_is_well_again(self):
+        def wrong(sensor, message):
+            if sensor == 4:
+                message.header.frame_id = "ghost"
+            return message
+
+        self.start_node()
+        self.robot.edit_range = wrong
+        self.wait_for("transforms", DiagnosticStatus.WARN, "from ghost to base_link")
+        self.robot.edit_range = lambda sensor, message: message
+        self.run_for(6.0)
+        self.wait_for("sensors", DiagnosticStatus.OK, "16 sensors")
+        self.wait_for("transforms", DiagnosticStatus.OK)
+
+    def test_the_compass_speaks_for_itself(self):
+        self.start_node()
+        self.wait_for("compass", DiagnosticStatus.OK, "Hz")
+
+        def zero(message):
+            message.orientation.z = message.orientation.w = 0.0
+            return message
+
+        self.robot.edit_heading = zero
+        self.wait_for("compass", DiagnosticStatus.WARN, "left out", "quaternion")
+        self.robot.edit_heading = lambda message: None
+        self.wait_for("compass", DiagnosticStatus.WARN, "silent", "heading")
+
+    def test_odometry_that_is_missing_is_said_without_a_scan(self):
+        self.start_node()
+        self.wait_for("transforms", DiagnosticStatus.OK)
+        self.robot.has_odometry = False
+        self.wait_for("transforms", DiagnosticStatus.WARN, "base_link to odom", "old")
+
     def test_a_store_that_is_not_used_is_an_error(self):
         store = os.path.join(self.folder, "places.db")
         with open(store, "w") as file:

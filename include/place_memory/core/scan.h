@@ -16,8 +16,7 @@ namespace place_memory::core {
 /// The scan frame has its origin where the robot's base stood when the scan began and its x axis
 /// along compass east (paper 3.1.4: the grid lies along compass north).
 struct Scan {
-  /// Given by who makes the scan, another one to each; 0: none.
-  std::uint64_t id = 0;
+  std::uint64_t id = 0;  ///< tells scans of one process apart; 0: none was given
   std::vector<SonarReading> readings;
   EvidenceGrid grid;  ///< of those readings, in the scan frame
   /// Pose of the scan frame in the odometry frame; identity where there is no odometry.

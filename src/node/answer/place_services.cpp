@@ -12,6 +12,7 @@
 #include "node/answer/service_status.h"
 #include "node/conversions.h"
 #include "node/map/map_messages.h"
+#include "node/ros_time.h"
 #include "node/node_names.h"
 
 namespace place_memory::node {
@@ -51,7 +52,7 @@ std::shared_ptr<const core::Scan> takeScan(const KeptScans& scans, std::uint64_t
     response.message = kNoTimeMessage;
     return nullptr;
   }
-  ScanChoice choice = scans.choose(id, toNanoseconds(ros::Time::now()));
+  ScanChoice choice = scans.choose(id, rosNow());
   response.status = toStatus<Response>(choice.problem);
   response.message = choice.message;
   return choice.scan;

@@ -8,7 +8,6 @@
 #include <place_memory/RecognizePlace.h>
 #include <place_memory/RemovePlace.h>
 #include <place_memory/RenamePlace.h>
-#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
 #include <ros/spinner.h>
@@ -20,6 +19,7 @@
 #include "config/parameters.h"
 #include "node/answer/answer_publisher.h"
 #include "node/answer/kept_scans.h"
+#include "node/guarded_queue.h"
 #include "place_memory/core/place_memory.h"
 
 namespace place_memory::node {
@@ -63,8 +63,8 @@ class PlaceServices {
   std::atomic<bool> cancelled_{false};
 
   // The spinners stop before the queues they work on go.
-  ros::CallbackQueue match_queue_;
-  ros::CallbackQueue edit_queue_;
+  GuardedQueue match_queue_{"matches"};
+  GuardedQueue edit_queue_{"edits"};
   std::vector<ros::ServiceServer> servers_;
   ros::AsyncSpinner match_spinner_;
   ros::AsyncSpinner edit_spinner_;

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "node/conversions.h"
+#include "node/ros_time.h"
 
 namespace place_memory::node {
 namespace {
@@ -23,12 +24,12 @@ MapFrameBroadcaster::MapFrameBroadcaster(ros::NodeHandle& node, const core::Plac
 }
 
 void MapFrameBroadcaster::broadcast() {
-  const ros::Time now = ros::Time::now();
+  const std::chrono::nanoseconds now = rosNow();
   const core::Whereabouts whereabouts = memory_.whereabouts();
-  if (now.isZero() || whereabouts.apart || !whereabouts.map_from_odom) return;
+  if (now.count() == 0 || whereabouts.apart || !whereabouts.map_from_odom) return;
   const geometry_msgs::Pose pose = toPose(*whereabouts.map_from_odom);
   geometry_msgs::TransformStamped message;
-  message.header = makeHeader(parameters_.map_frame, toRosTime(toNanoseconds(now) + kAhead));
+  message.header = makeHeader(parameters_.map_frame, toRosTime(now + kAhead));
   message.child_frame_id = parameters_.odom_frame;
   message.transform.translation.x = pose.position.x;
   message.transform.translation.y = pose.position.y;

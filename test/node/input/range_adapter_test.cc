@@ -1,4 +1,4 @@
-#include "node/input/range_check.h"
+#include "node/input/range_adapter.h"
 
 #include <gtest/gtest.h>
 
@@ -23,21 +23,46 @@ sensor_msgs::Range message(float range) {
   return m;
 }
 
-TEST(CheckRange, TakesAnEchoWithinTheLimits) {
+AdaptedReading adapt(const sensor_msgs::Range& m, bool over_range_is_no_echo = false) {
+  SensorRegistry registry;
+  return RangeAdapter("/sonar", over_range_is_no_echo, registry).adapt(m);
+}
+
+TEST(RangeAdapter, SaysWhereItsMeasurementIsFrom) {
+  SensorRegistry registry;
+  const RangeAdapter adapter("/sonar", false, registry);
+  const core::Measurement measurement = adapter.adapt(message(1.0F)).measurement;
+  EXPECT_EQ(measurement.stamp, std::chrono::seconds(10));
+  EXPECT_EQ(measurement.frame, "sonar_0");
+  EXPECT_EQ(measurement.sensor, registry.idOf("/sonar", "sonar_0"));
+  EXPECT_EQ(measurement.frame_from_sensor.x, 0.0);
+  EXPECT_EQ(measurement.frame_from_sensor.yaw, 0.0);
+}
+
+TEST(RangeAdapter, ARejectedMeasurementStillSaysWhoseItIs) {
+  SensorRegistry registry;
+  const RangeAdapter adapter("/sonar", false, registry);
+  const AdaptedReading reading = adapter.adapt(message(kNan));
+  EXPECT_EQ(reading.reject, Reject::kNan);
+  EXPECT_EQ(reading.measurement.sensor, registry.idOf("/sonar", "sonar_0"));
+  EXPECT_EQ(reading.measurement.stamp, std::chrono::seconds(10));
+}
+
+TEST(RangeAdapter, TakesAnEchoWithinTheLimits) {
   for (const float range : {0.15F, 1.0F, 4.5F}) {
-    const CheckedRange checked = checkRange(message(range), false);
+    const AdaptedReading checked = adapt(message(range), false);
     EXPECT_FALSE(checked.reject) << range;
-    EXPECT_EQ(checked.range, static_cast<double>(range));
-    EXPECT_EQ(checked.spec.min_range, static_cast<double>(0.15F));
-    EXPECT_EQ(checked.spec.max_range, 4.5);
-    EXPECT_EQ(checked.spec.field_of_view, static_cast<double>(0.4F));
+    EXPECT_EQ(checked.measurement.range, static_cast<double>(range));
+    EXPECT_EQ(checked.measurement.spec.min_range, static_cast<double>(0.15F));
+    EXPECT_EQ(checked.measurement.spec.max_range, 4.5);
+    EXPECT_EQ(checked.measurement.spec.field_of_view, static_cast<double>(0.4F));
   }
 }
 
-TEST(CheckRange, InfinityIsNoEcho) {
-  const CheckedRange checked = checkRange(message(kInf), false);
+TEST(RangeAdapter, InfinityIsNoEcho) {
+  const AdaptedReading checked = adapt(message(kInf), false);
   EXPECT_FALSE(checked.reject);
-  EXPECT_EQ(checked.range, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(checked.measurement.range, std::numeric_limits<double>::infinity());
 }
 
 struct Bad {
@@ -51,10 +76,10 @@ std::ostream& operator<<(std::ostream& out, const Bad& bad) { return out << bad.
 class BadRange : public testing::TestWithParam<Bad> {};
 
 TEST_P(BadRange, IsRejectedWithItsReason) {
-  EXPECT_EQ(checkRange(message(GetParam().range), false).reject, GetParam().reject);
+  EXPECT_EQ(adapt(message(GetParam().range), false).reject, GetParam().reject);
 }
 
-INSTANTIATE_TEST_SUITE_P(CheckRange, BadRange,
+INSTANTIATE_TEST_SUITE_P(RangeAdapter, BadRange,
                          testing::Values(Bad{"NaN", kNan, Reject::kNan},
                                          Bad{"-inf", -kInf, Reject::kTooClose},
                                          Bad{"below min", 0.149F, Reject::kBelowMinRange},
@@ -63,31 +88,31 @@ INSTANTIATE_TEST_SUITE_P(CheckRange, BadRange,
                                          Bad{"above max", 4.501F, Reject::kAboveMaxRange},
                                          Bad{"far above max", 1e30F, Reject::kAboveMaxRange}));
 
-TEST(CheckRange, OverRangeMayBeTakenForNoEcho) {
-  const CheckedRange checked = checkRange(message(5.0F), true);
+TEST(RangeAdapter, OverRangeMayBeTakenForNoEcho) {
+  const AdaptedReading checked = adapt(message(5.0F), true);
   EXPECT_FALSE(checked.reject);
-  EXPECT_EQ(checked.range, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(checkRange(message(kNan), true).reject, Reject::kNan);
-  EXPECT_EQ(checkRange(message(-kInf), true).reject, Reject::kTooClose);
+  EXPECT_EQ(checked.measurement.range, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(adapt(message(kNan), true).reject, Reject::kNan);
+  EXPECT_EQ(adapt(message(-kInf), true).reject, Reject::kTooClose);
 }
 
-TEST(CheckRange, OfAFixedDistanceSensorOnlyTheInfinitiesCount) {
+TEST(RangeAdapter, OfAFixedDistanceSensorOnlyTheInfinitiesCount) {
   sensor_msgs::Range m = message(0.5F);
   m.min_range = m.max_range = 0.5F;
-  EXPECT_EQ(checkRange(m, true).reject, Reject::kFixedDistance);
+  EXPECT_EQ(adapt(m, true).reject, Reject::kFixedDistance);
   m.range = -kInf;
-  EXPECT_EQ(checkRange(m, true).reject, Reject::kTooClose);
+  EXPECT_EQ(adapt(m, true).reject, Reject::kTooClose);
   m.range = kInf;
-  const CheckedRange checked = checkRange(m, false);
+  const AdaptedReading checked = adapt(m, false);
   EXPECT_FALSE(checked.reject);
-  EXPECT_LT(checked.spec.min_range, checked.spec.max_range);
-  EXPECT_EQ(checked.spec.max_range, 0.5);
+  EXPECT_LT(checked.measurement.spec.min_range, checked.measurement.spec.max_range);
+  EXPECT_EQ(checked.measurement.spec.max_range, 0.5);
 }
 
-TEST(CheckRange, NeedsAStamp) {
+TEST(RangeAdapter, NeedsAStamp) {
   sensor_msgs::Range m = message(1.0F);
   m.header.stamp = ros::Time();
-  EXPECT_EQ(checkRange(m, false).reject, Reject::kNoStamp);
+  EXPECT_EQ(adapt(m, false).reject, Reject::kNoStamp);
 }
 
 struct BadLimits {
@@ -108,14 +133,13 @@ TEST_P(BadSensor, IsRejectedWithASentence) {
   m.field_of_view = GetParam().fov;
   m.min_range = GetParam().min;
   m.max_range = GetParam().max;
-  EXPECT_EQ(checkRange(m, false).reject, Reject::kBadSensor);
-  const auto problem = checkSensor(m);
-  ASSERT_TRUE(problem);
-  EXPECT_NE(problem->find(GetParam().problem), std::string::npos) << *problem;
+  EXPECT_EQ(adapt(m, false).reject, Reject::kBadSensor);
+  const std::string problem = adapt(m).sensor_problem;
+  EXPECT_NE(problem.find(GetParam().problem), std::string::npos) << problem;
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    CheckRange, BadSensor,
+    RangeAdapter, BadSensor,
     testing::Values(BadLimits{"", 0.4F, 0.1F, 4.0F, "frame_id is empty"},
                     BadLimits{"s", 0.0F, 0.1F, 4.0F, "field_of_view"},
                     BadLimits{"s", -0.4F, 0.1F, 4.0F, "field_of_view"},
@@ -130,16 +154,17 @@ INSTANTIATE_TEST_SUITE_P(
                     BadLimits{"s", 0.4F, 0.0F, 0.0F, "max_range must be finite and positive"},
                     BadLimits{"s", 0.4F, 4.1F, 4.0F, "min_range must not exceed max_range"}));
 
-TEST(CheckSensor, TakesAHalfCircleAsAFloat) {
+TEST(RangeAdapter, TakesAHalfCircleAsAFloat) {
   sensor_msgs::Range m = message(1.0F);
   m.field_of_view = static_cast<float>(M_PI);
-  EXPECT_FALSE(checkSensor(m));
-  EXPECT_LE(checkRange(m, false).spec.field_of_view, M_PI);
+  EXPECT_EQ(adapt(m).sensor_problem, "");
+  EXPECT_LE(adapt(m).measurement.spec.field_of_view, M_PI);
 }
 
 TEST(Reject, EveryReasonHasItsWords) {
   for (std::size_t i = 0; i < kRejects; ++i) {
     EXPECT_GT(std::string(toString(static_cast<Reject>(i))).size(), 0U);
+    EXPECT_GT(std::string(adviceOn(static_cast<Reject>(i))).size(), 0U);
   }
 }
 

@@ -1,14 +1,15 @@
-#include "node/scan/compass_offset.h"
+#include "core/sensing/compass_offset.h"
 
 #include <cmath>
 
-namespace place_memory::node {
+namespace place_memory::core {
 
-void CompassOffset::add(const ros::Time& stamp, const ros::Time& deadline, double heading) {
+void CompassOffset::add(std::chrono::nanoseconds stamp, std::chrono::nanoseconds deadline,
+                        double heading) {
   waiting_.push_back({stamp, deadline, heading});
 }
 
-void CompassOffset::process(const ros::Time& now, const YawAt& yaw_at) {
+void CompassOffset::process(std::chrono::nanoseconds now, const YawAt& yaw_at) {
   std::deque<Waiting> still_waiting;
   for (const Waiting& heading : waiting_) {
     if (const auto yaw = yaw_at(heading.stamp)) {
@@ -26,4 +27,4 @@ std::optional<double> CompassOffset::mean() const {
   return std::atan2(sum_sin_, sum_cos_);
 }
 
-}  // namespace place_memory::node
+}  // namespace place_memory::core
