@@ -2,12 +2,9 @@
 
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/console.h>
-#include <ros/names.h>
 
-#include <boost/algorithm/string/join.hpp>
 #include <filesystem>
 #include <utility>
-#include <vector>
 
 #include "node/answer/answer_words.h"
 #include "node/conversions.h"
@@ -30,19 +27,6 @@ ros::NodeHandle withQueue(const ros::NodeHandle& names, ros::CallbackQueueInterf
   return with_queue;
 }
 
-// A remapping of a topic that the parameters do not name has no effect.
-void warnOfUnusedRemapping(const ros::NodeHandle& names, const std::string& name,
-                           const std::vector<std::string>& topics, const char* parameter) {
-  const std::string from = names.resolveName(name, false);
-  const auto remapped = ros::names::getRemappings().find(from);
-  if (remapped == ros::names::getRemappings().end() || remapped->second == from) return;
-  for (const std::string& topic : topics) {
-    if (names.resolveName(topic, false) == from) return;
-  }
-  ROS_WARN("%s:=%s has no effect, because parameter %s names other topics", name.c_str(),
-           remapped->second.c_str(), parameter);
-}
-
 }  // namespace
 
 PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
@@ -62,7 +46,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       services_(private_names_,
                 {*memory_, answer_publisher_, scans_, parameters_, store_problem_}) {
   setUpDiagnostics();
-  sayWhatIsUsed();
+  sayWhatIsKnown();
 }
 
 void PlaceMemoryNode::setUpDiagnostics() {
@@ -97,23 +81,10 @@ void PlaceMemoryNode::setUpDiagnostics() {
   });
 }
 
-void PlaceMemoryNode::sayWhatIsUsed() const {
-  warnOfUnusedRemapping(names_, "sonar", parameters_.sonar_topics, "sonar_topics");
-  warnOfUnusedRemapping(names_, "heading", {parameters_.heading_topic}, "heading_topic");
-  std::vector<std::string> sonars;
-  for (const std::string& topic : parameters_.sonar_topics) {
-    sonars.push_back(names_.resolveName(topic));
-  }
-  const std::string odometry =
-      parameters_.odom_frame.empty() ? "none" : "from " + parameters_.odom_frame;
-  const std::string store = parameters_.store.empty() || !store_problem_.empty()
-                                ? "in memory only"
-                                : "in " + std::filesystem::absolute(parameters_.store).string();
-  ROS_INFO("Sonars on %s, heading on %s, odometry %s to %s, map %s; %s known, kept %s",
-           boost::algorithm::join(sonars, ", ").c_str(),
-           names_.resolveName(parameters_.heading_topic).c_str(), odometry.c_str(),
-           parameters_.base_frame.c_str(), parameters_.map_frame.c_str(),
-           placesInWords(memory_->size()).c_str(), store.c_str());
+void PlaceMemoryNode::sayWhatIsKnown() const {
+  const bool is_kept = !parameters_.store.empty() && store_problem_.empty();
+  ROS_INFO("%s known, kept in %s", placesInWords(memory_->size()).c_str(),
+           is_kept ? std::filesystem::absolute(parameters_.store).c_str() : "memory only");
 }
 
 void PlaceMemoryNode::onDiagnosticsTimer() {

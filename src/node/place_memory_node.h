@@ -46,7 +46,7 @@ class PlaceMemoryNode {
   std::optional<core::Pose2d> locateRobot() const;
   void setUpDiagnostics();
   void onDiagnosticsTimer();
-  void sayWhatIsUsed() const;
+  void sayWhatIsKnown() const;
 
   GuardedQueue queue_{"diagnostics"};
   ros::NodeHandle names_;

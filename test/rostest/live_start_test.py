@@ -78,7 +78,11 @@ class LiveStartTest(live_test.LiveTestCase):
         self.start()
         places = self.learn_two()
         self.assertEqual(self.node.stop(), 0)
+        self.assertIn("0 places known, kept in " + self.store, self.node.output())
+        self.assertIn('learned "hall"', self.node.output())
         self.start()
+        self.wait(lambda: "2 places known, kept in " + self.store in self.node.output(),
+                  "the line at start")
         self.assertEqual(self.node.call("list_places").places, places)
         self.assert_recognized("hall", sonar_room.HALL)
         self.assert_recognized("study", sonar_room.STUDY)

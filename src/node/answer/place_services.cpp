@@ -12,8 +12,8 @@
 #include "node/answer/service_status.h"
 #include "node/conversions.h"
 #include "node/map/map_messages.h"
-#include "node/ros_time.h"
 #include "node/node_names.h"
+#include "node/ros_time.h"
 
 namespace place_memory::node {
 namespace {
