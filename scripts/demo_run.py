@@ -26,7 +26,7 @@ from demo_tools.errors import DemoError
 from demo_tools.memory import VERDICTS, Memory
 from demo_tools.processes import Process, VirtualDisplay
 from demo_tools.screenshot import Rviz, write_overview_config
-from demo_tools.senses import Compass, MapFrame
+from demo_tools.senses import Compass
 from demo_tools.trial import Answer, Learned, Trial, position_error, right_labels
 from demo_tools.waiting import wait_until
 
@@ -53,7 +53,6 @@ class Demonstration:
         self._driver = Driver(check)
         self._driver.pose()  # from then on simulated time runs
         self._compass = Compass(check)
-        self._map = MapFrame()
         self._memories = {method: Memory(node, check) for method, node in NODES.items()}
         self.learned = {}
         self.trials = []

@@ -1,7 +1,5 @@
 """What the demonstration itself hears of the robot."""
 import rospy
-import tf2_ros
-from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import Imu
 
 from demo_tools.driver import wrapped, yaw_of
@@ -24,16 +22,3 @@ class Compass:
     def error(self, true_yaw):
         wait_until(lambda: self._yaw is not None, "a heading", START_LIMIT, self._check)
         return wrapped(self._yaw - true_yaw)
-
-
-class MapFrame:
-    """The map where odometry began, for rviz: places lie in it as odometry had them."""
-
-    def __init__(self):
-        transform = TransformStamped()
-        transform.header.stamp = rospy.Time.now()
-        transform.header.frame_id = "map"
-        transform.child_frame_id = "odom"
-        transform.transform.rotation.w = 1.0
-        self._broadcaster = tf2_ros.StaticTransformBroadcaster()
-        self._broadcaster.sendTransform(transform)

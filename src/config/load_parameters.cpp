@@ -10,6 +10,7 @@ namespace place_memory::config {
 namespace {
 
 constexpr double kLongest = 3600.0;  // [s]
+constexpr double kDay = 86400.0;     // [s]
 
 Interval closed(double low, double high) { return {low, high, true, true}; }
 Interval open(double low, double high) { return {low, high, false, false}; }
@@ -50,6 +51,7 @@ void readScan(ParameterReader& reader, ScanOptions& scan) {
   reader.integer("scan/min_readings", closed(1, 100000), scan.min_readings);
   reader.number("scan/tf_timeout", closed(0.0, 10.0), scan.tf_timeout);
   reader.number("scan/heading_timeout", leftOpen(0.0, kLongest), scan.heading_timeout);
+  reader.number("scan/max_age", leftOpen(0.0, kDay), scan.max_age);
   reader.flag("scan/over_range_is_no_echo", scan.over_range_is_no_echo);
 }
 
@@ -86,14 +88,17 @@ Parameters readAll(ParameterReader& reader) {
   reader.text("odom_frame", checkOptionalFrame, parameters.odom_frame);
   reader.text("base_frame", checkFrame, parameters.base_frame);
   reader.text("map_frame", checkFrame, parameters.map_frame);
+  reader.flag("tf_broadcast", parameters.tf_broadcast);
   reader.texts("sonar_topics", checkTopic, parameters.sonar_topics);
   reader.text("heading_topic", checkTopic, parameters.heading_topic);
   reader.text("store", anything, parameters.store);
+  reader.number("time_jump_tolerance", closed(0.0, 60.0), parameters.time_jump_tolerance);
   reader.number("grid/cell_size", closed(0.001, 100.0), parameters.grid.cell_size);
   readSonar(reader, parameters.sonar);
   readScan(reader, parameters.scan);
   readMatch(reader, parameters.match);
   readPlaces(reader, parameters.places);
+  reader.integer("markers/labels", closed(0, 10000), parameters.markers.labels);
   return parameters;
 }
 
@@ -113,6 +118,12 @@ void checkTogether(const Parameters& parameters, std::vector<std::string>& probl
   }
   if (parameters.odom_frame == parameters.base_frame) {
     problems.push_back("odom_frame, base_frame: must not be the same frame");
+  }
+  if (parameters.tf_broadcast && parameters.odom_frame.empty()) {
+    problems.push_back("tf_broadcast: without an odom_frame there is no transform to broadcast");
+  }
+  if (parameters.tf_broadcast && parameters.map_frame == parameters.odom_frame) {
+    problems.push_back("tf_broadcast: map_frame, odom_frame: must not be the same frame");
   }
 }
 

@@ -31,6 +31,7 @@ struct ScanOptions {
   int min_readings = 8;
   double tf_timeout = 0.5;       ///< [s]
   double heading_timeout = 1.0;  ///< [s]
+  double max_age = 600.0;        ///< of a scan that is learned or recognized [s]
   bool over_range_is_no_echo = false;
 };
 
@@ -41,20 +42,28 @@ struct MatchOptions {
   double heading_window = core::kPi / 4.0;  ///< [rad]
 };
 
+/// What is drawn for rviz.
+struct MarkerOptions {
+  int labels = 100;
+};
+
 /// Everything that can be set, with its default. config/place_memory.yaml documents every one.
 struct Parameters {
   std::string odom_frame = "odom";  ///< empty: no odometry
   std::string base_frame = "base_link";
   std::string map_frame = "map";
+  bool tf_broadcast = false;  ///< map_frame -> odom_frame
   std::vector<std::string> sonar_topics = {"sonar"};
   std::string heading_topic = "heading";
-  std::string store;  ///< path; empty: in memory only
+  std::string store;                 ///< path; empty: in memory only
+  double time_jump_tolerance = 1.0;  ///< [s]
 
   core::GridGeometry grid;
   core::SonarModelOptions sonar;
   ScanOptions scan;
   MatchOptions match;
   core::AdaptationOptions places;
+  MarkerOptions markers;
 };
 
 }  // namespace place_memory::config

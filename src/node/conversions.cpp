@@ -111,30 +111,9 @@ nav_msgs::OccupancyGrid toOccupancyGrid(const core::EvidenceGrid& grid,
   return message;
 }
 
-Place toMessage(const core::Place& place) {
-  Place message;
-  message.id = place.id;
-  message.label = place.label;
-  message.location = toPose2D(place.map_from_place);
-  message.learned = toRosTime(place.learned);
-  return message;
-}
-
-PlaceGraph toMessage(const core::PlaceGraph& graph, const std_msgs::Header& header) {
-  PlaceGraph message;
-  message.header = header;
-  for (const core::Place& place : graph.places()) message.places.push_back(toMessage(place));
-  for (const core::PlaceLink& link : graph.links()) {
-    PlaceLink& added = message.links.emplace_back();
-    added.first_id = link.first;
-    added.second_id = link.second;
-  }
-  return message;
-}
-
-Recognition toMessage(const core::LabelledRecognition& recognition, const std_msgs::Header& header,
+Recognition toMessage(const core::PlaceMemory::Answer& answer, const std_msgs::Header& header,
                       const ros::Duration& match_duration) {
-  const core::Recognition& found = recognition.recognition;
+  const core::Recognition& found = answer.recognition;
   Recognition message;
   message.header = header;
   message.verdict = toMessage(found.verdict);
@@ -142,7 +121,7 @@ Recognition toMessage(const core::LabelledRecognition& recognition, const std_ms
     const core::PlaceMatch& match = found.matches[i];
     PlaceMatch& added = message.matches.emplace_back();
     added.id = match.id;
-    added.label = recognition.labels[i];
+    added.label = answer.labels[i];
     added.score = match.score;
     added.transform = toPose2D(match.place_from_scan);
     added.probability = match.probability;
@@ -150,6 +129,10 @@ Recognition toMessage(const core::LabelledRecognition& recognition, const std_ms
   message.pose = toPoseWithCovariance(found.map_from_robot, found.covariance);
   message.match_duration = match_duration;
   return message;
+}
+
+const std::string& scanFrame(const config::Parameters& parameters) {
+  return parameters.odom_frame.empty() ? parameters.map_frame : parameters.odom_frame;
 }
 
 }  // namespace place_memory::node

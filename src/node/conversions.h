@@ -5,8 +5,6 @@
 #include <geometry_msgs/Pose2D.h>
 #include <geometry_msgs/PoseWithCovariance.h>
 #include <nav_msgs/OccupancyGrid.h>
-#include <place_memory/Place.h>
-#include <place_memory/PlaceGraph.h>
 #include <place_memory/Recognition.h>
 #include <ros/duration.h>
 #include <ros/time.h>
@@ -16,8 +14,8 @@
 #include <chrono>
 #include <string>
 
+#include "config/parameters.h"
 #include "place_memory/core/evidence_grid.h"
-#include "place_memory/core/place_graph.h"
 #include "place_memory/core/place_memory.h"
 
 namespace place_memory::node {
@@ -41,10 +39,11 @@ nav_msgs::OccupancyGrid toOccupancyGrid(const core::EvidenceGrid& grid,
                                         const core::Pose2d& frame_from_grid,
                                         const std_msgs::Header& header, double prior);
 
-Place toMessage(const core::Place& place);
-PlaceGraph toMessage(const core::PlaceGraph& graph, const std_msgs::Header& header);
-Recognition toMessage(const core::LabelledRecognition& recognition, const std_msgs::Header& header,
+Recognition toMessage(const core::PlaceMemory::Answer& answer, const std_msgs::Header& header,
                       const ros::Duration& match_duration);
+
+/// The frame in which scans lie: that of odometry, where there is one.
+const std::string& scanFrame(const config::Parameters& parameters);
 
 }  // namespace place_memory::node
 

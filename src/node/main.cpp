@@ -1,4 +1,3 @@
-#include <ros/callback_queue.h>
 #include <ros/console.h>
 #include <ros/init.h>
 #include <ros/xmlrpc_manager.h>
@@ -46,7 +45,7 @@ void run() {
       names, private_names, place_memory::node::readPrivateParameters(private_names));
   handleStops();
   const ros::WallDuration poll(0.1);
-  while (ros::ok() && !stop_requested) ros::getGlobalCallbackQueue()->callAvailable(poll);
+  while (ros::ok() && !stop_requested) node.spinOnce(poll);
   node.stop();
 }
 

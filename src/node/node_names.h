@@ -13,6 +13,7 @@ constexpr char kScanAction[] = "scan";
 
 constexpr char kScanGridTopic[] = "scan_grid";
 constexpr char kMatchedGridTopic[] = "matched_grid";
+constexpr char kMapChangesTopic[] = "map_changes";
 constexpr char kPlaceGraphTopic[] = "place_graph";
 constexpr char kPlaceMarkersTopic[] = "place_markers";
 constexpr char kRecognitionTopic[] = "recognition";
@@ -25,6 +26,7 @@ constexpr char kListPlacesService[] = "list_places";
 constexpr char kRenamePlaceService[] = "rename_place";
 constexpr char kRemovePlaceService[] = "remove_place";
 constexpr char kClearService[] = "clear";
+constexpr char kGetGraphService[] = "get_graph";
 
 }  // namespace place_memory::node
 

@@ -1,44 +1,96 @@
 #include "node/place_memory_node.h"
 
+#include <nav_msgs/OccupancyGrid.h>
 #include <ros/console.h>
 
+#include <filesystem>
+#include <utility>
+
 #include "config/memory_options.h"
+#include "node/answer/answer_words.h"
+#include "node/conversions.h"
+#include "node/input/sensor_placement.h"
 #include "node/map/memory_diagnostics.h"
-#include "node/scan/sonar_diagnostics.h"
+#include "node/node_names.h"
+#include "node/ros_time.h"
+#include "node/scan/input_diagnostics.h"
 
 namespace place_memory::node {
 namespace {
 
 const ros::WallDuration kDiagnosticsPeriod(1.0);
+const ros::WallDuration kAtOnce(0.001);
 constexpr int kTicksBetweenWarnings = 10;
+
+ros::NodeHandle withQueue(const ros::NodeHandle& names, ros::CallbackQueueInterface& queue) {
+  ros::NodeHandle with_queue(names);
+  with_queue.setCallbackQueue(&queue);
+  return with_queue;
+}
 
 }  // namespace
 
 PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
                                  const config::Parameters& parameters)
-    : names_(names),
+    : names_(withQueue(names, queue_)),
       private_names_(private_names),
       parameters_(parameters),
       memory_(openMemory()),
-      publisher_(private_names_, *memory_, parameters_),
-      listener_(buffer_, names_),
-      scan_server_(names_, private_names_, parameters_, buffer_, scanCallbacks()),
-      services_(private_names_, {*memory_, publisher_, scan_, parameters_, store_problem_}),
-      diagnostics_(names_, private_names_) {
+      scans_(parameters_.scan.max_age),
+      transforms_(names_, buffer_),
+      scan_grid_(private_names_.advertise<nav_msgs::OccupancyGrid>(kScanGridTopic, 1, true)),
+      answer_publisher_(private_names_, *memory_, parameters_),
+      map_publisher_(private_names_, *memory_, parameters_, [this] { return locateRobot(); }),
+      map_frame_broadcaster_(names_, *memory_, parameters_),
+      scan_server_(names_, private_names_, parameters_, buffer_, transforms_, scanCallbacks()),
+      diagnostics_(names_, private_names_),
+      services_(private_names_,
+                {*memory_, answer_publisher_, scans_, parameters_, store_problem_}) {
+  setUpDiagnostics();
+  sayWhatIsKnown();
+}
+
+void PlaceMemoryNode::setUpDiagnostics() {
+  using Status = diagnostic_updater::DiagnosticStatusWrapper;
   diagnostics_.setHardwareID("none");
-  diagnostics_.add("memory", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
-    diagnoseMemory(*memory_, parameters_.store, store_problem_, status);
+  diagnostics_.add("memory", [this](Status& status) {
+    diagnoseMemory(memory_->size(), memory_->storeHealth(), parameters_.store, store_problem_,
+                   status);
   });
-  diagnostics_.add("sensors", [this](diagnostic_updater::DiagnosticStatusWrapper& status) {
-    diagnoseSonars(scan_server_.health(), ros::Time::now(), status);
+  diagnostics_.add("sensors",
+                   [this](Status& status) { diagnoseSonars(scan_server_.health(), status); });
+  diagnostics_.add("compass",
+                   [this](Status& status) { diagnoseCompass(scan_server_.health(), status); });
+  diagnostics_.add("transforms", [this](Status& status) {
+    diagnoseTransforms(buffer_, transforms_.leftOut(), scan_server_.health(), parameters_, rosNow(),
+                       status);
   });
   // Forced, because the updater's own pace is that of simulated time, which may stand still.
   diagnostics_timer_ = names_.createSteadyTimer(
       kDiagnosticsPeriod, [this](const ros::SteadyTimerEvent&) { onDiagnosticsTimer(); });
+  // On the thread of the other one, because the updater may be asked by one at a time.
+  health_timer_ = names_.createSteadyTimer(
+      kAtOnce, [this](const ros::SteadyTimerEvent&) { diagnostics_.force_update(); }, true, false);
+  memory_->watchStore([this](const core::StoreHealth& health) {
+    if (health.ok) {
+      ROS_INFO("The store can be written again");
+    } else {
+      ROS_ERROR("The store: %s", health.problem.c_str());
+    }
+    health_timer_.stop();
+    health_timer_.start();
+  });
+}
+
+void PlaceMemoryNode::sayWhatIsKnown() const {
+  const bool is_kept = !parameters_.store.empty() && store_problem_.empty();
+  ROS_INFO("%s known, kept in %s", placesInWords(memory_->size()).c_str(),
+           is_kept ? std::filesystem::absolute(parameters_.store).c_str() : "memory only");
 }
 
 void PlaceMemoryNode::onDiagnosticsTimer() {
   diagnostics_.force_update();
+  map_publisher_.follow();
   if (ros::Time::isValid()) return;
   if (ticks_without_time_++ % kTicksBetweenWarnings == 0) {
     ROS_WARN("Waiting for simulated time on /clock");  // throttled logging needs a time itself
@@ -50,10 +102,9 @@ void PlaceMemoryNode::stop() { scan_server_.stop(); }
 std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
   core::PlaceMemoryOptions options = config::memoryOptions(parameters_);
   options.opening.progress = [](const std::string& sentence) { ROS_INFO("%s", sentence.c_str()); };
+  options.clock = rosNow;
   try {
-    auto memory = std::make_unique<core::PlaceMemory>(options);
-    ROS_INFO("%zu places are known", memory->size());
-    return memory;
+    return std::make_unique<core::PlaceMemory>(options);
   } catch (const core::StoreError& error) {
     store_problem_ = error.what();
     ROS_ERROR("Places are kept in memory only: %s", error.what());
@@ -65,18 +116,36 @@ std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
 ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
   ScanServer::Callbacks callbacks;
   callbacks.finished = [this](std::shared_ptr<const core::Scan> scan) {
-    publisher_.publishScan(*scan);
-    scan_.set(std::move(scan));
+    publishScan(*scan);
+    scans_.add(std::move(scan));
   };
-  callbacks.partial = [this](const core::Scan& scan) { publisher_.publishScan(scan); };
-  callbacks.time_jump = [this] { dropScan(); };
+  callbacks.partial = [this](const core::Scan& scan) { publishScan(scan); };
+  callbacks.time_jump = [this] { dropScans(); };
   return callbacks;
 }
 
-void PlaceMemoryNode::dropScan() {
-  scan_.drop();
-  memory_->forgetPreviousPlace();
+void PlaceMemoryNode::publishScan(const core::Scan& scan) {
+  scan_grid_.publish(toOccupancyGrid(scan.grid, scan.odom_from_scan,
+                                     makeHeader(scanFrame(parameters_), toRosTime(scan.end)),
+                                     parameters_.sonar.prior));
+}
+
+void PlaceMemoryNode::dropScans() {
+  scans_.drop();
+  memory_->forgetWhereabouts();
+  answer_publisher_.overtake();
   ROS_WARN("The newest scan is dropped, and the next place will be linked to none");
+}
+
+std::optional<core::Pose2d> PlaceMemoryNode::locateRobot() const {
+  const core::Whereabouts whereabouts = memory_->whereabouts();
+  std::chrono::nanoseconds stamp{0};
+  if (!parameters_.odom_frame.empty() && whereabouts.map_from_odom) {
+    const auto base = lookupNewest(buffer_, parameters_.odom_frame, parameters_.base_frame, stamp);
+    if (base) return *whereabouts.map_from_odom * base->pose;
+  }
+  const std::optional<core::Place> place = memory_->place(whereabouts.previous);
+  return place ? std::optional<core::Pose2d>(place->map_from_place) : std::nullopt;
 }
 
 }  // namespace place_memory::node

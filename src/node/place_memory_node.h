@@ -3,17 +3,22 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
+#include <ros/publisher.h>
 #include <ros/wall_timer.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2/buffer_core.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "config/parameters.h"
+#include "node/answer/answer_publisher.h"
+#include "node/answer/kept_scans.h"
 #include "node/answer/place_services.h"
-#include "node/map/memory_publisher.h"
-#include "node/scan/newest_scan.h"
+#include "node/guarded_queue.h"
+#include "node/input/transform_input.h"
+#include "node/map/map_frame_broadcaster.h"
+#include "node/map/map_publisher.h"
 #include "node/scan/scan_server.h"
 #include "place_memory/core/place_memory.h"
 
@@ -27,30 +32,42 @@ class PlaceMemoryNode {
   PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
                   const config::Parameters& parameters);
 
+  /// Handles what is to be done on the caller's thread, and waits so long for it.
+  void spinOnce(const ros::WallDuration& wait) { queue_.callAvailable(wait); }
+
   /// Ends a scan that runs and stops the robot. To be called before ros::shutdown().
   void stop();
 
  private:
   std::unique_ptr<core::PlaceMemory> openMemory();
   ScanServer::Callbacks scanCallbacks();
-  void dropScan();
+  void publishScan(const core::Scan& scan);
+  void dropScans();
+  std::optional<core::Pose2d> locateRobot() const;
+  void setUpDiagnostics();
   void onDiagnosticsTimer();
+  void sayWhatIsKnown() const;
 
+  GuardedQueue queue_{"diagnostics"};
   ros::NodeHandle names_;
   ros::NodeHandle private_names_;
   const config::Parameters parameters_;
 
   std::string store_problem_;  ///< why the store is not used; empty: it is, or none is configured
   const std::unique_ptr<core::PlaceMemory> memory_;
-  NewestScan scan_;
-  MemoryPublisher publisher_;
-  tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_;
+  KeptScans scans_;
+  tf2::BufferCore buffer_;
+  TransformInput transforms_;
+  ros::Publisher scan_grid_;
+  AnswerPublisher answer_publisher_;
+  MapPublisher map_publisher_;
+  MapFrameBroadcaster map_frame_broadcaster_;
   ScanServer scan_server_;
-  PlaceServices services_;
   diagnostic_updater::Updater diagnostics_;
   ros::SteadyTimer diagnostics_timer_;
+  ros::SteadyTimer health_timer_;
   int ticks_without_time_ = 0;
+  PlaceServices services_;  ///< ends first: all changes come from there
 };
 
 }  // namespace place_memory::node

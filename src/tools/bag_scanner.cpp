@@ -7,6 +7,10 @@
 #include <map>
 #include <stdexcept>
 
+#include "node/input/range_adapter.h"
+#include "node/input/transform_filter.h"
+#include "node/ros_time.h"
+
 namespace place_memory::tools {
 namespace {
 
@@ -91,34 +95,43 @@ void BagScanner::readStaticTransforms() {
 node::ScanOutcome BagScanner::scan(const ros::Time& start, const ros::Time& end) const {
   const ros::Duration wait(parameters_.scan.tf_timeout);
   tf2::BufferCore transforms(end - start + kLead + kLead);
-  for (const auto& transform : static_transforms_) transforms.setTransform(transform, "bag", true);
-  node::ScanCollector collector(parameters_, transforms);
-  collector.begin(start, parameters_.scan.headings, parameters_.scan.step);
+  for (const auto& transform : static_transforms_) {
+    node::addTransform(transform, true, node::toNanoseconds(start), transforms);
+  }
+  node::SensorRegistry registry;
+  node::ScanCollector collector(parameters_, transforms, registry);
+  collector.begin(node::toNanoseconds(start), parameters_.scan.headings, parameters_.scan.step);
 
   const ros::Time first = start.toSec() > kLead.toSec() ? start - kLead : ros::TIME_MIN;
   rosbag::View view(bag_, rosbag::TopicQuery(topics_), first, end + wait + kRecordingDelay);
   for (const rosbag::MessageInstance& message : view) {
     const std::string topic = withoutSlash(message.getTopic());
+    const auto received = node::toNanoseconds(message.getTime());
     if (topic == kTf) {
       const auto moved = message.instantiate<tf2_msgs::TFMessage>();
       if (!moved) continue;
-      for (const auto& transform : moved->transforms) transforms.setTransform(transform, "bag");
+      for (const auto& transform : moved->transforms) {
+        const auto problem = node::addTransform(transform, false, received, transforms);
+        if (problem) collector.noteProblem(*problem);
+      }
     } else if (topic == heading_topic_) {
       // Without odometry those after the end serve readings that still wait for the next heading.
       const auto heading = message.instantiate<sensor_msgs::Imu>();
       const bool serves = parameters_.odom_frame.empty() && collector.waiting();
       if (!heading || (heading->header.stamp > end && !serves)) continue;
-      collector.addHeading(*heading, message.getTime());
+      collector.addHeading(*heading, received);
     } else {
       const auto range = message.instantiate<sensor_msgs::Range>();
       if (!range || range->header.stamp > end) continue;
-      collector.addRange(*range, message.getTime());
+      const node::RangeAdapter adapter(message.getTopic(), parameters_.scan.over_range_is_no_echo,
+                                       registry);
+      collector.addReading(adapter.adapt(*range), received);
       continue;  // what it needs comes later
     }
-    collector.process(message.getTime());
+    collector.process(received);
   }
-  collector.process(ros::TIME_MAX);
-  return collector.outcome(end);
+  collector.process(node::toNanoseconds(ros::TIME_MAX));
+  return collector.outcome(node::toNanoseconds(end));
 }
 
 }  // namespace place_memory::tools

@@ -77,6 +77,9 @@ void process(const Arguments& arguments) {
     bar.show(i);
     const node::ScanOutcome outcome = scanner.scan(events[i].start, events[i].end);
     Result result;
+    if (!outcome.problem.empty()) {
+      bar.note("event " + std::to_string(i + 1) + ": " + outcome.problem);
+    }
     if (outcome.scan) {
       result = run(events[i], *outcome.scan, memory);
     } else {

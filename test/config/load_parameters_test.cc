@@ -38,6 +38,7 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_EQ(a.odom_frame, b.odom_frame);
   EXPECT_EQ(a.base_frame, b.base_frame);
   EXPECT_EQ(a.map_frame, b.map_frame);
+  EXPECT_EQ(a.tf_broadcast, b.tf_broadcast);
   EXPECT_EQ(a.sonar_topics, b.sonar_topics);
   EXPECT_EQ(a.heading_topic, b.heading_topic);
   EXPECT_EQ(a.store, b.store);
@@ -54,6 +55,7 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_EQ(a.scan.min_readings, b.scan.min_readings);
   EXPECT_EQ(a.scan.tf_timeout, b.scan.tf_timeout);
   EXPECT_EQ(a.scan.heading_timeout, b.scan.heading_timeout);
+  EXPECT_EQ(a.scan.max_age, b.scan.max_age);
   EXPECT_EQ(a.scan.over_range_is_no_echo, b.scan.over_range_is_no_echo);
   EXPECT_EQ(a.match.preset, b.match.preset);
   EXPECT_EQ(a.match.recognizer.method, b.match.recognizer.method);
@@ -64,6 +66,7 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_NEAR(a.match.heading_window, b.match.heading_window, 1e-6);
   EXPECT_EQ(a.places.enabled, b.places.enabled);
   EXPECT_EQ(a.places.retention, b.places.retention);
+  EXPECT_EQ(a.markers.labels, b.markers.labels);
 }
 
 TEST(LoadParameters, FileOfDefaultsHoldsTheDefaults) {

@@ -5,37 +5,16 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
-#include "node/map/place_markers.h"
+#include "node/ros_time.h"
 
 namespace place_memory::node {
 namespace {
 
 using core::kGridSize;
-using visualization_msgs::Marker;
 
 double yawOf(const geometry_msgs::Quaternion& orientation) {
   return 2.0 * std::atan2(orientation.z, orientation.w);
-}
-
-core::Place makePlace(core::PlaceId id, const std::string& label, double x) {
-  core::Place place;
-  place.id = id;
-  place.label = label;
-  place.map_from_place = {x, 2.0, 0.5};
-  place.learned = std::chrono::milliseconds(12345);
-  return place;
-}
-
-core::PlaceGraph makeChain() {
-  core::PlaceGraph graph;
-  graph.add(makePlace(1, "a", 0.0));
-  graph.add(makePlace(2, "b", 3.0));
-  graph.add(makePlace(3, "c", 6.0));
-  graph.link(1, 2);
-  graph.link(2, 3);
-  return graph;
 }
 
 const std_msgs::Header kHeader = makeHeader("map", ros::Time(7, 8));
@@ -107,28 +86,8 @@ TEST(ToPoseWithCovariance, PutsThreeByThreeIntoSixBySix) {
   }
 }
 
-TEST(ToMessage, APlaceKeepsEverything) {
-  const Place message = toMessage(makePlace(4, "kitchen", 1.5));
-  EXPECT_EQ(message.id, 4);
-  EXPECT_EQ(message.label, "kitchen");
-  EXPECT_EQ(message.location.x, 1.5);
-  EXPECT_EQ(message.location.y, 2.0);
-  EXPECT_NEAR(message.location.theta, 0.5, 1e-12);
-  EXPECT_EQ(message.learned, ros::Time(12, 345000000));
-}
-
-TEST(ToMessage, AGraphKeepsPlacesAndLinks) {
-  const PlaceGraph message = toMessage(makeChain(), kHeader);
-  EXPECT_EQ(message.header.frame_id, "map");
-  ASSERT_EQ(message.places.size(), 3U);
-  EXPECT_EQ(message.places[2].label, "c");
-  ASSERT_EQ(message.links.size(), 2U);
-  EXPECT_EQ(message.links[1].first_id, 2);
-  EXPECT_EQ(message.links[1].second_id, 3);
-}
-
 TEST(ToMessage, ARecognitionKeepsEveryMatchInOrder) {
-  core::LabelledRecognition answer;
+  core::PlaceMemory::Answer answer;
   answer.recognition.verdict = core::Verdict::kAmbiguous;
   answer.recognition.matches = {{5, 90.0, {0.1, 0.2, 0.3}, 0.6}, {2, 80.0, {}, 0.4}};
   answer.recognition.map_from_robot = {3.0, 4.0, 0.0};
@@ -147,7 +106,7 @@ TEST(ToMessage, ARecognitionKeepsEveryMatchInOrder) {
 }
 
 TEST(ToMessage, EachVerdictHasItsConstant) {
-  core::LabelledRecognition answer;
+  core::PlaceMemory::Answer answer;
   const auto verdict = [&answer](core::Verdict value) {
     answer.recognition.verdict = value;
     return toMessage(answer, kHeader, ros::Duration()).verdict;
@@ -157,38 +116,18 @@ TEST(ToMessage, EachVerdictHasItsConstant) {
   EXPECT_EQ(verdict(core::Verdict::kRecognized), Recognition::RECOGNIZED);
 }
 
-TEST(ToMarkers, EveryPlaceHasARegionFiveFeetAcrossAndALabel) {
-  const visualization_msgs::MarkerArray array = toMarkers(makeChain(), kHeader);
-  std::set<std::string> labels;
-  int regions = 0;
-  for (const Marker& marker : array.markers) {
-    EXPECT_EQ(marker.header.frame_id, "map");
-    if (marker.ns == "labels") labels.insert(marker.text);
-    if (marker.ns != "regions") continue;
-    ++regions;
-    EXPECT_EQ(marker.type, Marker::CYLINDER);
-    EXPECT_NEAR(marker.scale.x, 1.524, 1e-9);
-    EXPECT_NEAR(marker.pose.position.x, 3.0 * (marker.id - 1), 1e-9);
-    EXPECT_GT(marker.color.a, 0.0F);
+TEST(ToNanoseconds, IsTheReverseOfToRosTime) {
+  for (const ros::Time time :
+       {ros::Time(0, 0), ros::Time(1500000000, 7), ros::Time(4294967295, 0)}) {
+    EXPECT_EQ(toRosTime(toNanoseconds(time)), time);
   }
-  EXPECT_EQ(regions, 3);
-  EXPECT_EQ(labels, (std::set<std::string>{"a", "b", "c"}));
 }
 
-TEST(ToMarkers, ALinkIsALineBetweenItsPlaces) {
-  const Marker links = toMarkers(makeChain(), kHeader).markers.back();
-  EXPECT_EQ(links.type, Marker::LINE_LIST);
-  ASSERT_EQ(links.points.size(), 4U);
-  EXPECT_EQ(links.points[2].x, 3.0);
-  EXPECT_EQ(links.points[3].x, 6.0);
-  EXPECT_EQ(links.points[3].y, 2.0);
-}
-
-TEST(ToMarkers, WhatIsNotInTheMapVanishes) {
-  const visualization_msgs::MarkerArray array = toMarkers(core::PlaceGraph(), kHeader);
-  ASSERT_EQ(array.markers.size(), 1U);
-  EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
-  EXPECT_EQ(toMarkers(makeChain(), kHeader).markers.front().action, Marker::DELETEALL);
+TEST(ScanFrame, IsThatOfOdometryWhereThereIsOne) {
+  config::Parameters parameters;
+  EXPECT_EQ(scanFrame(parameters), "odom");
+  parameters.odom_frame = "";
+  EXPECT_EQ(scanFrame(parameters), "map");
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ class LiveClientsTest(live_test.LiveTestCase):
             self.assertEqual(response.recognition.verdict, Recognition.RECOGNIZED)
             self.assertEqual(response.recognition.matches[0].label, "study")
 
-    def learn_and_forget(self, name):
+    def learn_and_forget(self, name, scan):
         for i in range(CALLS):
-            learned = self.node.call("learn_place", label="%s %d" % (name, i))
+            learned = self.node.call("learn_place", label="%s %d" % (name, i), scan_id=scan)
             self.assertEqual(learned.status, learned.OK, learned.message)
             removed = self.node.call("remove_place", label=learned.label)
             self.assertEqual(removed.status, removed.OK, removed.message)
@@ -61,8 +61,9 @@ class LiveClientsTest(live_test.LiveTestCase):
                 labels = [match.label for match in response.recognition.matches]
                 self.assertTrue({"hall", "study"} <= set(labels), labels)
 
-        self.run_beside(recognize_anything, lambda: self.learn_and_forget("a"),
-                        lambda: self.learn_and_forget("b"), self.list_places)
+        first, second = (self.scan_well().scan_id for _ in range(2))
+        self.run_beside(recognize_anything, lambda: self.learn_and_forget("a", first),
+                        lambda: self.learn_and_forget("b", second), self.list_places)
         self.assertEqual(self.labels(), ["hall", "study"])
         self.wait(lambda: [place.label for place in graphs[-1].places] == ["hall", "study"],
                   "the last graph")
@@ -73,8 +74,11 @@ class LiveClientsTest(live_test.LiveTestCase):
         def rename():
             answers.append(self.node.call("rename_place", label="hall", new_label="lobby").status)
 
+        scans = [self.scan_well().scan_id for _ in range(2)]
+
         def learn():
-            answers.append(self.node.call("learn_place", label="attic").status)
+            answers.append(self.node.call("learn_place", label="attic",
+                                          scan_id=scans.pop()).status)
 
         self.run_beside(rename, rename)
         self.assertEqual(sorted(answers),

@@ -35,6 +35,9 @@ class LiveListenTest(live_test.LiveTestCase):
         self.assertGreater(result.begin.to_sec(), 1000.0)
         self.assertGreater(result.end, result.begin)
         self.assertEqual(self.robot.commands, [])
+        self.assertGreater(result.scan_id, 0)
+        self.assertGreater(self.scan_well(headings=1).scan_id, result.scan_id)
+        self.assertIn("scan %d: " % result.scan_id, self.node.output())
 
     def test_a_sweep_is_over_at_its_last_heading(self):
         self.start_node()
@@ -212,7 +215,8 @@ class LiveListenTest(live_test.LiveTestCase):
         scan = self.begin_scan(headings=11)
         self.run_robot(lambda: scan.feedback and scan.feedback[-1].readings, "readings")
         self.world.set_time(self.world.now - 50.0)
-        self.assert_ended(scan, GoalStatus.ABORTED, ScanPlaceResult.TIME_JUMP, "backwards")
+        self.assert_ended(scan, GoalStatus.ABORTED, ScanPlaceResult.TIME_JUMP,
+                          "backwards by 50", "/clock")
         self.assert_answer(self.node.call("learn_place", label="study"),
                            LearnPlaceResponse.NO_SCAN)
         self.assertEqual(self.labels(), ["hall"])
@@ -227,7 +231,16 @@ class LiveListenTest(live_test.LiveTestCase):
                              ("timeout", rospy.Duration(-1)), ("timeout", rospy.Duration(3601))):
             with self.subTest(field=field, value=value):
                 scan = self.begin_scan(**{field: value})
-                self.assert_ended(scan, GoalStatus.ABORTED, ScanPlaceResult.INVALID_GOAL, field)
+                self.assert_ended(scan, GoalStatus.REJECTED, ScanPlaceResult.INVALID_GOAL, field)
+
+    def test_a_goal_out_of_range_leaves_the_scan_that_runs(self):
+        self.start_node()
+        scan = self.begin_scan(headings=11)
+        self.run_robot(lambda: scan.feedback, "a scan to begin")
+        self.assert_ended(self.begin_scan(headings=3601), GoalStatus.REJECTED,
+                          ScanPlaceResult.INVALID_GOAL, "headings")
+        self.robot.spin = 0.2
+        self.assert_ended(scan, GoalStatus.SUCCEEDED, ScanPlaceResult.SUCCEEDED)
 
     def test_time_that_stands_still_ends_the_scan(self):
         self.start_node()

@@ -21,6 +21,73 @@ class LiveServicesTest(live_test.LiveTestCase):
         self.assert_answer(self.node.call("learn_place", label="a"), LearnPlaceResponse.NO_TIME)
         self.assert_answer(self.recognize(), RecognizePlaceResponse.NO_TIME)
 
+    def test_a_scan_is_named_by_its_id(self):
+        self.start_node()
+        scans = {}
+        for label, room in (("hall", sonar_room.HALL), ("study", sonar_room.STUDY)):
+            self.robot.enter(room)
+            scans[label] = self.scan_well().scan_id
+        self.assertEqual(len(set(scans.values()) | {0}), 3)
+        for label in ("hall", "study"):
+            response = self.node.call("learn_place", label=label, scan_id=scans[label])
+            self.assert_answer(response, LearnPlaceResponse.OK)
+        for label in ("hall", "study"):
+            found = self.node.call("recognize_place", scan_id=scans[label]).recognition
+            self.assertEqual(found.matches[0].label, label)
+        newest = self.node.call("recognize_place").recognition
+        self.assertEqual(newest.matches[0].label, "study")
+
+    def test_a_scan_that_is_not_kept_is_refused(self):
+        self.start_node()
+        unknown = self.scan_well().scan_id + 1000
+        self.assert_answer(self.node.call("learn_place", label="a", scan_id=unknown),
+                           LearnPlaceResponse.UNKNOWN_SCAN)
+        self.assert_answer(self.node.call("recognize_place", scan_id=unknown),
+                           RecognizePlaceResponse.UNKNOWN_SCAN)
+        self.assertEqual(self.labels(), [])
+
+    def test_a_scan_that_ended_long_ago_is_not_here(self):
+        self.start_node(scan__max_age=5.0)
+        self.scan_well()
+        self.assert_answer(self.recognize(), RecognizePlaceResponse.OK)
+        self.run_for(6.0)
+        self.assert_answer(self.node.call("learn_place", label="a"),
+                           LearnPlaceResponse.SCAN_TOO_OLD)
+        self.assert_answer(self.recognize(), RecognizePlaceResponse.SCAN_TOO_OLD)
+        self.assertEqual(self.labels(), [])
+
+    def test_a_scan_is_learned_once(self):
+        self.start_node()
+        self.learn("hall", sonar_room.HALL)
+        response = self.node.call("learn_place", label="twin")
+        self.assert_answer(response, LearnPlaceResponse.ALREADY_LEARNED)
+        self.assertIn("hall", response.message)
+        self.assertEqual((response.place_id, response.label, response.session), (0, "", 0))
+        self.assertEqual(self.labels(), ["hall"])
+
+    def test_get_graph_is_the_whole_map(self):
+        self.start_node()
+        response = self.node.call("get_graph")
+        self.assert_answer(response, response.OK)
+        self.assertEqual((response.graph.places, response.graph.links), ([], []))
+        self.learn("hall", sonar_room.HALL)
+        self.robot.odometry = (3.0, 0.0, 0.0)
+        self.robot.turn(0.5)
+        self.learn("study", sonar_room.STUDY)
+        graph = self.graph()
+        self.assertEqual(graph.places, self.node.call("list_places").places)
+        self.assertGreater(graph.version, response.graph.version)
+        self.assertEqual([place.session for place in graph.places], [1, 1])
+        self.assertEqual(len({bytes(place.identity) for place in graph.places}), 2)
+        link = graph.links[0]
+        self.assertEqual((link.first_id, link.second_id),
+                         tuple(place.id for place in graph.places))
+        self.assertAlmostEqual(link.transform.x, 3.0, places=6)
+        self.assertGreater(link.covariance[0], 0.0)
+        self.assertEqual((link.forward.succeeded, link.backward.succeeded), (1, 0))
+        # The robot looked 0.5 to the left of compass east.
+        self.assertAlmostEqual(graph.places[1].robot.theta, 0.5, places=6)
+
     def test_before_a_scan_the_answer_is_no_scan(self):
         self.start_node()
         self.run_for(0.5)
@@ -53,13 +120,17 @@ class LiveServicesTest(live_test.LiveTestCase):
             self.assertEqual((response.place_id, response.label), (0, ""))
         self.assertEqual(self.labels(), ["hall"])
 
-        made_up = [self.node.call("learn_place", label="") for _ in range(2)]
+        made_up = []
+        for _ in range(2):
+            self.scan_well()
+            made_up.append(self.node.call("learn_place", label=""))
         for response in made_up:
             self.assert_answer(response, LearnPlaceResponse.OK)
         labels = [response.label for response in made_up]
         self.assertEqual(self.labels(), ["hall"] + labels)
         self.assertEqual(len(set(labels + [""])), 3)
 
+        self.scan_well()
         longest = "\u00e9" * 127 + "e"
         self.assert_answer(self.node.call("learn_place", label=longest), LearnPlaceResponse.OK)
         self.assertIn(longest, self.labels())
@@ -150,14 +221,14 @@ class LiveServicesTest(live_test.LiveTestCase):
         self.assert_answer(remove("study"), RemovePlaceResponse.OK)
         self.assert_answer(remove("study"), RemovePlaceResponse.UNKNOWN_PLACE)
         self.assertEqual(self.labels(), ["hall"])
-        ids.append(self.node.call("learn_place", label="study").place_id)
+        ids.append(self.learn("study", sonar_room.STUDY).place_id)
 
         response = self.node.call("clear")
         self.assert_answer(response, ClearResponse.OK)
         self.assertIn("2 places", response.message)
         self.assertEqual(self.labels(), [])
         self.assert_answer(self.node.call("clear"), ClearResponse.OK)
-        ids.append(self.node.call("learn_place", label="hall").place_id)
+        ids.append(self.learn("hall", sonar_room.HALL).place_id)
         self.assertEqual(len(set(ids)), 4)
         self.assertEqual(ids, sorted(ids))
 
@@ -165,6 +236,7 @@ class LiveServicesTest(live_test.LiveTestCase):
         self.start_node(store=os.path.join(self.folder, "places.db"))
         self.learn("hall", sonar_room.HALL)
         self.learn("study", sonar_room.STUDY)
+        self.scan_well()
         self.node.allow_writes(False)
         for service, request in (("learn_place", {"label": "attic"}),
                                  ("rename_place", {"label": "hall", "new_label": "loft"}),

@@ -54,11 +54,35 @@ class LiveStartTest(live_test.LiveTestCase):
     def test_parameters_that_do_not_go_together_are_refused(self):
         self.assertIn("occupied", self.refused_parameters({"sonar/occupied": 0.3}))
 
+    def test_it_says_what_it_listens_to(self):
+        self.start(sonar_topics=["front", "rear"], heading_topic="imu/data")
+        self.wait(lambda: "odometry odom to base_link" in self.node.output(), "the line at start")
+        namespace = self.node.name.rsplit("/", 1)[0]
+        for topic in ("front", "rear", "imu/data", "cmd_vel"):
+            self.assertIn(namespace + "/" + topic, self.node.output())
+
+    def test_a_name_that_is_remapped_in_vain_is_said(self):
+        log = os.path.join(self.folder, "remapped.log")
+        for parameters, is_vain in (({}, False), ({"sonar_topics": ["rear", "sonar"]}, False),
+                                    ({"sonar_topics": ["rear"]}, True)):
+            with self.subTest(parameters=parameters):
+                node = live_test.Node("/remapped_%d" % is_vain, parameters, log,
+                                      ["sonar:=/ring", "heading:=heading"])
+                self.addCleanup(node.stop)
+                node.wait_for_services()
+                self.assertEqual("sonar is remapped to /ring" in node.output(), is_vain)
+                self.assertNotIn("heading is remapped", node.output())
+                node.stop()
+
     def test_places_outlive_the_node(self):
         self.start()
         places = self.learn_two()
         self.assertEqual(self.node.stop(), 0)
+        self.assertIn("0 places known, kept in " + self.store, self.node.output())
+        self.assertIn('learned "hall"', self.node.output())
         self.start()
+        self.wait(lambda: "2 places known, kept in " + self.store in self.node.output(),
+                  "the line at start")
         self.assertEqual(self.node.call("list_places").places, places)
         self.assert_recognized("hall", sonar_room.HALL)
         self.assert_recognized("study", sonar_room.STUDY)

@@ -29,6 +29,7 @@ SERVICES = {
     "rename_place": srv.RenamePlace,
     "remove_place": srv.RemovePlace,
     "clear": srv.Clear,
+    "get_graph": srv.GetGraph,
 }
 
 
@@ -39,14 +40,15 @@ def executable(name):
 class Node:
     """A place_memory_node in a namespace of its own, and its services."""
 
-    def __init__(self, namespace, parameters, log):
+    def __init__(self, namespace, parameters, log, arguments=()):
         self.name = namespace + "/place_memory"
         for name, value in parameters.items():
             rospy.set_param(self.name + "/" + name, value)
         self.log = log
         with open(log, "w") as file:
             self.process = subprocess.Popen(
-                [executable("place_memory_node"), "__ns:=" + namespace, "__name:=place_memory"],
+                [executable("place_memory_node"), "__ns:=" + namespace, "__name:=place_memory",
+                 *arguments],
                 stdout=file, stderr=subprocess.STDOUT,
                 restore_signals=False)  # a write beyond a limit is to fail, not to kill
 
@@ -216,6 +218,10 @@ class LiveTestCase(unittest.TestCase):
         response = self.node.call("learn_place", label=label)
         self.assertEqual(response.status, response.OK, response.message)
         return response
+
+    def graph(self):
+        """The whole map, as it is now."""
+        return self.node.call("get_graph").graph
 
     def labels(self):
         return [place.label for place in self.node.call("list_places").places]

@@ -38,7 +38,17 @@ class LiveTopicsTest(live_test.LiveTestCase):
         return self.node.latched("place_markers", MarkerArray).markers
 
     def marker_texts(self):
-        return [marker.text for marker in self.markers() if marker.text]
+        return sorted(marker.text for marker in self.markers() if marker.text)
+
+    def latched_graph(self, labels):
+        """Once it has these places: it comes once a second at most."""
+        def is_there():
+            graph = self.node.latched("place_graph", PlaceGraph)
+            return [place.label for place in graph.places] == labels
+
+        self.wait(is_there, "the graph of " + ", ".join(labels))
+        self.wait(lambda: self.marker_texts() == labels, "the markers of " + ", ".join(labels))
+        return self.node.latched("place_graph", PlaceGraph)
 
     def current_place(self):
         return self.node.latched("current_place", String).data
@@ -81,27 +91,24 @@ class LiveTopicsTest(live_test.LiveTestCase):
         self.assertEqual(self.current_place(), "hall")
         self.robot.odometry = (6.0, 0.0, 0.0)
         self.learn("study", sonar_room.STUDY)
-        graph = self.node.latched("place_graph", PlaceGraph)
+        graph = self.latched_graph(["hall", "study"])
         ids = [place.id for place in graph.places]
-        self.assertEqual([place.label for place in graph.places], ["hall", "study"])
         self.assertEqual([(link.first_id, link.second_id) for link in graph.links], [tuple(ids)])
-        self.assertEqual(self.marker_texts(), ["hall", "study"])
+        self.assertEqual(graph, self.graph())
         lines = [marker for marker in self.markers() if marker.type == Marker.LINE_LIST]
         self.assertEqual([len(marker.points) for marker in lines], [2])
         self.assertEqual(self.current_place(), "study")
 
         self.node.call("rename_place", label="study", new_label="library")
-        self.assertEqual(self.marker_texts(), ["hall", "library"])
+        self.latched_graph(["hall", "library"])
         self.assertEqual(self.current_place(), "library")
 
         self.node.call("remove_place", label="library")
-        graph = self.node.latched("place_graph", PlaceGraph)
-        self.assertEqual([place.label for place in graph.places], ["hall"])
-        self.assertEqual(graph.links, [])
+        self.assertEqual(self.latched_graph(["hall"]).links, [])
         self.assertEqual(self.current_place(), "")
 
         self.node.call("clear")
-        self.assertEqual(self.node.latched("place_graph", PlaceGraph).places, [])
+        self.latched_graph([])
 
     def test_markers_of_a_removed_place_vanish(self):
         self.start_node()
@@ -125,6 +132,17 @@ class LiveTopicsTest(live_test.LiveTestCase):
         self.wait(lambda: ("labels", study) not in shown, "the marker to vanish")
         self.assertFalse([ns for ns, number in shown if number == study])
         self.assertTrue(shown)
+
+    def test_what_was_recognized_before_time_jumped_is_withdrawn(self):
+        self.start_node()
+        self.learn("hall", sonar_room.HALL)
+        self.assertEqual(self.current_place(), "hall")
+        self.world.set_time(self.world.now - 50.0)
+        self.wait(lambda: self.current_place() == "", "the label to be withdrawn")
+        # The next place is linked to none.
+        self.run_for(0.5)
+        self.learn("study", sonar_room.STUDY)
+        self.assertEqual(self.graph().links, [])
 
     def test_recognition_topics_say_what_was_answered(self):
         self.start_node()
@@ -240,6 +258,72 @@ class LiveDiagnosticsTest(live_test.LiveTestCase):
 
         self.robot.edit_range = edit
         self.wait_for("sensors", DiagnosticStatus.WARN, "sonar_9", "rejected")
+
+    def test_a_store_that_fails_later_is_an_error_until_it_is_well(self):
+        store = os.path.join(self.folder, "places.db")
+        self.start_node(store=store)
+        self.learn("hall", sonar_room.HALL)
+        self.wait_for("memory", DiagnosticStatus.OK, "1 place")
+        self.node.allow_writes(False)
+        response = self.node.call("clear")
+        self.assert_answer(response, response.STORE_FAILED)
+        self.wait_for("memory", DiagnosticStatus.ERROR, store, "again")
+        self.node.allow_writes(True)
+        response = self.node.call("clear")
+        self.assert_answer(response, response.OK)
+        self.wait_for("memory", DiagnosticStatus.OK, "0 places")
+
+    def test_a_sensor_falls_silent_though_time_was_set_back(self):
+        self.start_node()
+        self.wait_for("sensors", DiagnosticStatus.OK, "16 sensors")
+        self.world.set_time(self.world.now - 500.0)
+        self.robot.edit_range = lambda sensor, message: None if sensor == 3 else message
+        self.wait_for("sensors", DiagnosticStatus.WARN, "sonar_3", "silent")
+
+    def test_nan_after_a_good_while_shows(self):
+        self.start_node()
+        self.run_for(30.0)
+        self.wait_for("sensors", DiagnosticStatus.OK, "16 sensors")
+
+        def edit(sensor, message):
+            message.range = float("nan")
+            return message
+
+        self.robot.edit_range = edit
+        self.wait_for("sensors", DiagnosticStatus.WARN, "sonar_0", "rejected")
+
+    def test_a_sensor_that_is_corrected_is_well_again(self):
+        def wrong(sensor, message):
+            if sensor == 4:
+                message.header.frame_id = "ghost"
+            return message
+
+        self.start_node()
+        self.robot.edit_range = wrong
+        self.wait_for("transforms", DiagnosticStatus.WARN, "from ghost to base_link")
+        self.robot.edit_range = lambda sensor, message: message
+        self.run_for(6.0)
+        self.wait_for("sensors", DiagnosticStatus.OK, "16 sensors")
+        self.wait_for("transforms", DiagnosticStatus.OK)
+
+    def test_the_compass_speaks_for_itself(self):
+        self.start_node()
+        self.wait_for("compass", DiagnosticStatus.OK, "Hz")
+
+        def zero(message):
+            message.orientation.z = message.orientation.w = 0.0
+            return message
+
+        self.robot.edit_heading = zero
+        self.wait_for("compass", DiagnosticStatus.WARN, "left out", "quaternion")
+        self.robot.edit_heading = lambda message: None
+        self.wait_for("compass", DiagnosticStatus.WARN, "silent", "heading")
+
+    def test_odometry_that_is_missing_is_said_without_a_scan(self):
+        self.start_node()
+        self.wait_for("transforms", DiagnosticStatus.OK)
+        self.robot.has_odometry = False
+        self.wait_for("transforms", DiagnosticStatus.WARN, "base_link to odom", "old")
 
     def test_a_store_that_is_not_used_is_an_error(self):
         store = os.path.join(self.folder, "places.db")

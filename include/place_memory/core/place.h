@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_CORE_PLACE_H
 #define PLACE_MEMORY_CORE_PLACE_H
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -10,14 +11,34 @@
 
 namespace place_memory::core {
 
+/// 128 random bits that no other place of any robot has, so that stores can be merged.
+using PlaceIdentity = std::array<std::uint8_t, 16>;
+
+/// Counts the stretches of time in which the robot knew how it had moved from one scan to the next.
+/// The places of one session lie in one frame. How the frames of two sessions lie to each other is
+/// not known until a place of the one is recognized during the other: they are joined then, and are
+/// one session from there on.
+using SessionId = std::int64_t;
+constexpr SessionId kNoSession = 0;
+constexpr SessionId kFirstSession = 1;
+
 /// A node of the topological/metric map (paper 3). Its evidence grid stays in the store.
 struct Place {
   PlaceId id = kNoPlace;
-  std::string label;  ///< not empty, unique in the map, UTF-8
-  /// Pose of the place's grid in the map frame: x and y are the place's Cartesian location, yaw is
-  /// the direction of compass east as it was there.
+  PlaceIdentity identity{};  ///< all 0: none, as in maps that never were in a store
+  std::string label;         ///< not empty, unique in the map, UTF-8
+  /// Pose of the place's grid in the map frame (of its session): x and y are the place's Cartesian
+  /// location, yaw is the direction of compass east as it was there.
   Pose2d map_from_place;
   std::chrono::nanoseconds learned{0};  ///< when its scan ended
+  SessionId session = kFirstSession;    ///< in whose frame map_from_place lies
+  Pose2d place_from_robot;              ///< where the robot stood when the place's scan ended
+
+  bool operator==(const Place& other) const {
+    return id == other.id && identity == other.identity && label == other.label &&
+           map_from_place == other.map_from_place && learned == other.learned &&
+           session == other.session && place_from_robot == other.place_from_robot;
+  }
 };
 
 }  // namespace place_memory::core

@@ -2,22 +2,23 @@
 #define PLACE_MEMORY_CORE_PLACE_MEMORY_H
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <mutex>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "core/index/place_index.h"
-#include "core/recognize/recognizer.h"
-#include "core/store/place_store.h"
 #include "place_memory/core/adaptation_options.h"
-#include "place_memory/core/place_graph.h"
+#include "place_memory/core/map_change.h"
 #include "place_memory/core/recognition.h"
+#include "place_memory/core/recognizer_options.h"
 #include "place_memory/core/scan.h"
 #include "place_memory/core/sonar_model.h"
+#include "place_memory/core/store_opening.h"
+#include "place_memory/core/whereabouts.h"
 #include "place_memory/export.h"
 
 namespace place_memory::core {
@@ -29,8 +30,10 @@ class PLACE_MEMORY_PUBLIC PlaceMemoryError : public std::runtime_error {
     kLabelTaken,
     kInvalidLabel,
     kUnknownPlace,
-    kInvalidScan,  ///< cells of another size than the store's, or a pose that is not finite
-    kStoreFailed,  ///< the store could not be read or written; the memory is as it was
+    kInvalidScan,     ///< a pose that is not finite
+    kWrongCells,      ///< cells of another size than the map's
+    kAlreadyLearned,  ///< this very scan is a place already
+    kStoreFailed,     ///< the store could not be read or written; the memory is as it was
   };
 
   PlaceMemoryError(Reason reason, const std::string& what)
@@ -49,39 +52,77 @@ struct PlaceMemoryOptions {
   RecognizerOptions recognizer;
   AdaptationOptions adaptation;
   SonarModelOptions sonar;  ///< with which scans that places follow are laid into their grids
+  /// Tells the time that changes are stamped with; null: the system's clock.
+  std::function<std::chrono::nanoseconds()> clock;
 };
 
-/// A recognition with the labels of its matches, in their order.
-struct LabelledRecognition {
-  Recognition recognition;
-  std::vector<std::string> labels;
-  /// Since it was asked for, the robot learned or recognized a newer scan, or was carried: it does
-  /// not say where the robot is now.
-  bool superseded = false;
+/// The map at one moment.
+struct MapSnapshot {
+  std::uint64_t version = 0;
+  std::chrono::nanoseconds stamp{0};  ///< of the newest change
+  std::vector<Place> places;          ///< by rising id
+  std::vector<PlaceLink> links;       ///< by rising first id, then by rising second id
+};
+
+/// Whether changes can be kept.
+struct StoreHealth {
+  bool ok = true;
+  std::string problem;  ///< why the newest change that was tried could not be kept, in a sentence
+  std::chrono::nanoseconds since{0};  ///< when it became so, by PlaceMemoryOptions::clock
+  /// What is damaged in the store and left out, a sentence each.
+  std::vector<std::string> set_aside;
 };
 
 /// Learns places, recognizes them, and keeps them in the topological/metric map (paper 3, 4).
 ///
-/// Thread-safe. Matching works on a snapshot, so that no other call waits for it.
+/// Thread-safe. Changes are made one after the other on a thread of the memory's, each in the
+/// store, the map and the index or in none of them; who asks for one waits until it is kept. Nobody
+/// else waits for the disk or for a match.
 class PLACE_MEMORY_PUBLIC PlaceMemory {
  public:
+  /// What came of learning a place.
+  struct Learned {
+    Place place;
+    /// It belongs to a session of its own, because where the robot is in the map was not known.
+    bool apart = false;
+    std::string message;  ///< says so, and what to do, in a sentence; "" where it is not apart
+  };
+
+  /// What came of recognizing a scan.
+  struct Answer {
+    Recognition recognition;
+    std::vector<std::string> labels;  ///< of the matches, in their order
+    /// Since it was asked for, the robot learned or recognized a newer scan, or was carried: it
+    /// does not say where the robot is now.
+    bool superseded = false;
+    Whereabouts whereabouts;    ///< right after this answer
+    bool adapted = false;       ///< the scan was folded into the place's grid
+    std::size_t joined = 0;     ///< places that moved, because two sessions were joined
+    std::string adapt_problem;  ///< why the map could not follow (adapted, joined); "": it could
+  };
+
   /// Opens the store. Throws StoreError, and std::invalid_argument naming an option out of range.
   explicit PlaceMemory(const PlaceMemoryOptions& options);
+  /// Changes that were asked for are made first.
+  ~PlaceMemory();
+  PlaceMemory(const PlaceMemory&) = delete;
+  PlaceMemory& operator=(const PlaceMemory&) = delete;
 
   /// Makes the scan a place, linked to the previous one (paper 7). `label` "": one is made up.
   /// Throws PlaceMemoryError.
-  Place learn(const Scan& scan, const std::string& label);
+  Learned learn(const Scan& scan, const std::string& label);
 
-  /// Matches the scan against every place. Arguments and errors are those of
-  /// Recognizer::recognize(). A place that is removed during the match is not among the matches.
-  LabelledRecognition recognize(const Scan& scan, double heading_window,
-                                const std::function<bool()>& cancelled = nullptr);
-
-  /// Where places adapt, folds the scan, of which `recognition` is the answer, into the grid of the
-  /// place; the place's location stays. Nothing happens unless the verdict is RECOGNIZED, nor where
-  /// the place is gone by now, nor with the scan that it was learned from or that was folded last.
-  /// Returns whether it was folded. Throws PlaceMemoryError; the place is then as it was.
-  bool adapt(const Scan& scan, const Recognition& recognition);
+  /// The one way from a scan to an answer: matches it against every place (a place that is removed
+  /// meanwhile is not among the matches), settles where the robot is, folds the scan into the place
+  /// where it is RECOGNIZED and places adapt, and tells the listeners. A scan is folded into a
+  /// place once, and never into the one that was learned from it; the place's location stays.
+  ///
+  /// `heading_window` is how far the compass may be off, in [0, pi] [rad]; pi stands for any
+  /// heading. `cancelled`, where given, is polled between blocks of places; once it returns true
+  /// the call throws std::runtime_error. Throws std::invalid_argument where the window is out of
+  /// range, and PlaceMemoryError (kWrongCells, kInvalidScan).
+  Answer recognize(const Scan& scan, double heading_window,
+                   const std::function<bool()>& cancelled = nullptr);
 
   /// Throws PlaceMemoryError.
   void rename(const std::string& label, const std::string& new_label);
@@ -92,39 +133,32 @@ class PLACE_MEMORY_PUBLIC PlaceMemory {
 
   /// Number of places.
   std::size_t size() const;
+  /// Of the map: counts its changes.
+  std::uint64_t version() const;
   /// The map as it is now.
-  PlaceGraph graph() const;
+  MapSnapshot map() const;
   std::optional<Place> place(PlaceId id) const;
-  /// The grid as it was learned, and adapted since. Throws PlaceMemoryError.
+  /// The grid as it was learned, and adapted since; waits for the disk. Throws PlaceMemoryError.
   EvidenceGrid grid(PlaceId id) const;
 
-  /// The place that was last learned or last recognized, which the next one is linked to.
-  std::optional<Place> previousPlace() const;
-  /// The next place that is learned is linked to none: the robot was carried, or time ran
-  /// backwards.
-  void forgetPreviousPlace();
+  Whereabouts whereabouts() const;
+  /// The robot was carried, or time ran backwards: where it is now is not known.
+  void forgetWhereabouts();
+
+  /// Is called with every change from now on, in the order of their versions, once it is kept and
+  /// seen by everybody, on the memory's own thread; who asked for the change waits for it. It must
+  /// not ask for a change or for a grid (std::logic_error); what it throws is dropped.
+  using Listener = std::function<void(const MapChange&)>;
+  void listen(Listener listener);
+
+  StoreHealth storeHealth() const;
+  /// Is called whenever the store's health changes, like a listener.
+  using HealthListener = std::function<void(const StoreHealth&)>;
+  void watchStore(HealthListener listener);
 
  private:
-  /// Nothing where one of the places is gone.
-  std::optional<std::vector<PlaceFrame>> framesOf(const std::vector<PlaceId>& places) const;
-  const Place& findLocked(const std::string& label) const;
-  std::string newLabelLocked(const std::string& wanted) const;
-  std::optional<std::vector<std::string>> labelsLocked(
-      const std::vector<PlaceMatch>& matches) const;
-
-  const double cell_size_;
-  const Recognizer recognizer_;
-  const AdaptationOptions adaptation_;
-  const SonarModel sonar_;
-
-  mutable std::mutex mutex_;  ///< guards everything below
-  PlaceStore store_;
-  PlaceGraph graph_;
-  PlaceIndex index_;
-  PlaceId previous_ = kNoPlace;
-  std::uint64_t questions_ = 0;      ///< that were asked about where the robot is
-  std::uint64_t newest_answer_ = 0;  ///< the one of them that is answered
-  std::optional<std::chrono::nanoseconds> last_folded_;  ///< when that scan ended
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace place_memory::core

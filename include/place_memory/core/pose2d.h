@@ -34,6 +34,11 @@ struct Pose2d {
     return {-c * x - s * y, s * x - c * y, wrapAngle(-yaw)};
   }
 
+  bool operator==(const Pose2d& other) const {
+    return x == other.x && y == other.y && yaw == other.yaw;
+  }
+  bool operator!=(const Pose2d& other) const { return !(*this == other); }
+
   bool isFinite() const { return std::isfinite(x) && std::isfinite(y) && std::isfinite(yaw); }
 };
 

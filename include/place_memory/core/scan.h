@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_CORE_SCAN_H
 
 #include <chrono>
+#include <cstdint>
 #include <vector>
 
 #include "place_memory/core/evidence_grid.h"
@@ -15,6 +16,7 @@ namespace place_memory::core {
 /// The scan frame has its origin where the robot's base stood when the scan began and its x axis
 /// along compass east (paper 3.1.4: the grid lies along compass north).
 struct Scan {
+  std::uint64_t id = 0;  ///< tells scans of one process apart; 0: none was given
   std::vector<SonarReading> readings;
   EvidenceGrid grid;  ///< of those readings, in the scan frame
   /// Pose of the scan frame in the odometry frame; identity where there is no odometry.

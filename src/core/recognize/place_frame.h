@@ -1,23 +1,19 @@
 #ifndef PLACE_MEMORY_CORE_RECOGNIZE_PLACE_FRAME_H
 #define PLACE_MEMORY_CORE_RECOGNIZE_PLACE_FRAME_H
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "place_memory/core/place_id.h"
+#include "place_memory/core/place.h"
 #include "place_memory/core/pose2d.h"
 
 namespace place_memory::core {
 
-/// Places of one session lie in one frame; how the frames of two lie to each other is not known.
-using SessionId = std::int64_t;
-
 /// Where a place lies.
 struct PlaceFrame {
   Pose2d map_from_place;  ///< in the frame of its session
-  SessionId session = 1;
+  SessionId session = kFirstSession;
 };
 
 /// The frames of these places, in their order, as they are at one moment; nothing where one of the

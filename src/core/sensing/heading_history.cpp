@@ -14,11 +14,7 @@ TimeOrder timeOrder(std::chrono::nanoseconds stamp, std::chrono::nanoseconds new
 TimeOrder HeadingHistory::add(std::chrono::nanoseconds stamp, double yaw) {
   if (!samples_.empty()) {
     const TimeOrder order = timeOrder(stamp, samples_.back().stamp);
-    if (order == TimeOrder::kLate) return order;
-    if (order == TimeOrder::kBackwards) {
-      samples_.assign(1, {stamp, yaw});
-      return order;
-    }
+    if (order != TimeOrder::kForward) return order;
     if (stamp == samples_.back().stamp) samples_.pop_back();
   }
   samples_.push_back({stamp, yaw});

@@ -12,7 +12,7 @@ namespace place_memory::core {
 enum class TimeOrder {
   kForward,    ///< not before the newest
   kLate,       ///< before the newest, by kMaxDisorder at most: messages overtook each other
-  kBackwards,  ///< further back: time was set back, as when a bag is played again
+  kBackwards,  ///< further back: the stamp is stale, as after a sensor's board restarted
 };
 
 /// Messages of one robot may overtake each other by so much.
@@ -33,8 +33,7 @@ class HeadingHistory {
   /// A sample is believed for `max_age` before and after its stamp, > 0.
   explicit HeadingHistory(std::chrono::nanoseconds max_age) : max_age_(max_age) {}
 
-  /// Keeps the sample if it is in order and drops it if it is late. Where time ran backwards every
-  /// older sample is forgotten, since it belongs to another time.
+  /// Keeps the sample if it is in order and leaves it out otherwise.
   TimeOrder add(std::chrono::nanoseconds stamp, double yaw);
 
   /// Heading at a stamp in [-pi, pi) [rad]: between two samples on the shorter way from one to the

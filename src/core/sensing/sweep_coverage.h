@@ -4,7 +4,8 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <string>
+
+#include "core/sensing/measurement.h"
 
 namespace place_memory::core {
 
@@ -16,12 +17,12 @@ class SweepCoverage {
  public:
   /// `headings` >= 1; `step` between them [rad], in [0.001, pi]. `sensors` are waited for, as are
   /// all that are heard of during the sweep.
-  SweepCoverage(int headings, double step, std::set<std::string> sensors = {});
+  SweepCoverage(int headings, double step, std::set<SensorId> sensors = {});
 
   /// A reading of a sensor was used, while the robot's base was at this yaw [rad].
-  void add(const std::string& sensor, double base_yaw);
+  void add(SensorId sensor, double base_yaw);
   /// A reading of a sensor came that cannot be used: at the latest heading it has had its turn.
-  void skip(const std::string& sensor);
+  void skip(SensorId sensor);
 
   int target() const { return headings_; }
   /// Headings at which a reading was used.
@@ -35,14 +36,14 @@ class SweepCoverage {
   double fraction() const;
 
  private:
-  void takeTurn(const std::string& sensor);
+  void takeTurn(SensorId sensor);
 
   int headings_;
   double step_;
   int full_turn_ = 0;  // headings in a full turn where the sweep is one, otherwise 0
-  std::map<int, std::map<std::string, int>> turns_at_;  // of each sensor
-  std::set<std::string> sensors_;
-  std::set<std::string> heard_;
+  std::map<int, std::map<SensorId, int>> turns_at_;  // of each sensor
+  std::set<SensorId> sensors_;
+  std::set<SensorId> heard_;
   bool sensors_known_ = false;
   std::optional<double> last_yaw_;
   double turned_ = 0.0;  // since the first reading [rad]

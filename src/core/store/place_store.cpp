@@ -1,13 +1,23 @@
 #include "core/store/place_store.h"
 
-#include <algorithm>
-#include <utility>
+#include <unistd.h>
 
-#include "core/map/place_label.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <unordered_set>
+#include <utility>
+#include <variant>
+
 #include "core/store/sqlite.h"
 #include "core/store/store_file.h"
+#include "core/store/store_head.h"
 #include "core/store/store_migration.h"
-#include "core/store/store_rows.h"
+#include "core/store/store_reader.h"
+#include "core/store/store_schema.h"
+#include "core/store/store_writer.h"
 
 namespace place_memory::core {
 namespace {
@@ -15,145 +25,259 @@ namespace {
 // Cell sizes that went through text, as in a YAML file, may differ in the last digits.
 constexpr double kCellSizeTolerance = 1e-9;
 
-// In a store that was not checked in full, one grid stands for all: they are written by one rule.
-void checkCellSize(SqliteDatabase& database, double cell_size, bool of_all) {
-  const std::string source = of_all ? "grid" : "(SELECT cell_size FROM grid LIMIT 1)";
-  SqliteStatement query(
-      database, "SELECT cell_size FROM " + source + " WHERE abs(cell_size - ?) > ? LIMIT 1");
-  query.bind(cell_size).bind(kCellSizeTolerance);
-  if (query.step()) {
-    throwStoreError(database.path(), "its grids have cells of " + std::to_string(query.real(0)) +
-                                         " m, but " + std::to_string(cell_size) +
-                                         " m are configured. Set that cell size, or name another "
-                                         "file");
-  }
+std::vector<PlaceId> idsOf(const std::vector<Place>& places) {
+  std::vector<PlaceId> ids;
+  ids.reserve(places.size());
+  for (const Place& place : places) ids.push_back(place.id);
+  return ids;
 }
 
-void readPlaces(SqliteDatabase& database, PlaceGraph* graph) {
-  SqliteStatement row(database, "SELECT id, label, x, y, yaw, learned_ns FROM place");
-  while (row.step()) {
-    const Place place{row.integer(0),
-                      row.text(1),
-                      {row.real(2), row.real(3), row.real(4)},
-                      std::chrono::nanoseconds(row.integer(5))};
-    if (!isValidLabel(place.label) || !place.map_from_place.isFinite()) {
-      throw std::invalid_argument("place " + std::to_string(place.id) +
-                                  " has no valid label or location");
+// What becomes of the ids, which rise, by a change.
+void follow(const MapChange& change, std::vector<PlaceId>& ids) {
+  std::unordered_set<PlaceId> removed;
+  for (const MapEdit& edit : change.edits) {
+    if (const auto* place = std::get_if<PlaceAdded>(&edit)) {
+      removed.erase(place->place.id);
+      ids.push_back(place->place.id);
+    } else if (const auto* gone = std::get_if<PlaceRemoved>(&edit)) {
+      removed.insert(gone->id);
+    } else if (std::holds_alternative<MapCleared>(edit)) {
+      ids.clear();
+      removed.clear();
     }
-    graph->add(place);
   }
-}
-
-void readLinks(SqliteDatabase& database, PlaceGraph* graph) {
-  SqliteStatement row(database, "SELECT first_id, second_id FROM link");
-  while (row.step()) graph->link(row.integer(0), row.integer(1));
-}
-
-void insertLink(SqliteDatabase& database, PlaceId one, PlaceId other) {
-  SqliteStatement insert(database, "INSERT OR IGNORE INTO link VALUES(?, ?)");
-  insert.bind(std::min(one, other)).bind(std::max(one, other)).run();
+  if (!removed.empty()) {
+    ids.erase(std::remove_if(ids.begin(), ids.end(),
+                             [&removed](PlaceId id) { return removed.count(id) > 0; }),
+              ids.end());
+  }
+  if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
 }  // namespace
 
+class PlaceStore::Impl {
+ public:
+  Impl(const std::string& path, double cell_size, StoreOpening opening)
+      : path_(storePath(path)), cell_size_(cell_size), opening_(std::move(opening)) {
+    open();
+  }
+
+  PlaceMap map() {
+    StoreReader::Map rows = opened_ ? std::move(*opened_) : reader().readMap();
+    opened_.reset();
+    try {
+      return {std::move(rows.places), rows.links, head_.version, head_.stamp};
+    } catch (const std::invalid_argument& error) {
+      throwStoreError(path_, std::string("is damaged: ") + error.what());
+    }
+  }
+
+  void commit(const MapChange& change) {
+    resume();
+    StoreHead head = head_;
+    head.version = change.version;
+    head.stamp = change.stamp;
+    try {
+      SqliteTransaction transaction(*database_);
+      knowLabels();
+      StoreWriter writer(*database_, head, labels_);
+      for (const MapEdit& edit : change.edits) std::visit(writer, edit);
+      writer.finish();
+      writeHead(*database_, head);
+      transaction.commit();
+    } catch (const SqliteError& error) {
+      are_labels_known_ = false;
+      if (error.isOfDisk()) why_read_only_ = error.what();
+      throw;
+    } catch (...) {
+      are_labels_known_ = false;
+      throw;
+    }
+    head_ = head;
+    why_read_only_.clear();
+    opened_.reset();
+    follow(change, ids_);
+  }
+
+  StoreReader& reader() {
+    if (!reader_) throw StoreError(why_read_only_);
+    return *reader_;
+  }
+
+  void requirePlace(PlaceId id) const {
+    if (!std::binary_search(ids_.begin(), ids_.end(), id)) {
+      throwStoreError(path_, "has no place " + std::to_string(id));
+    }
+  }
+
+  const std::string& path() const { return path_; }
+  const std::string& whyReadOnly() const { return why_read_only_; }
+  const Damages& damages() const { return damages_; }
+  const StoreHead& head() const { return head_; }
+  const std::vector<PlaceId>& ids() const { return ids_; }
+  const StoreProgress& progress() const { return opening_.progress; }
+
+ private:
+  void open() {
+    StoreFile file;
+    if (path_.empty()) {
+      file.database = std::make_unique<SqliteDatabase>(":memory:", true);
+      createSchema(*file.database);
+      StoreHead head;
+      head.identity = makeIdentity();
+      head.cell_size = cell_size_;
+      writeHead(*file.database, head);
+    } else {
+      file = openStoreFile(path_, cell_size_, opening_);
+      if (file.format < kStoreFormat) {
+        file = migrateStore(std::move(file), path_, cell_size_, opening_, held_);
+      }
+    }
+    read(*file.database, file.checked);
+    database_ = std::move(file.database);
+    why_read_only_ = file.why_read_only;
+  }
+
+  void read(SqliteDatabase& database, bool check_all) {
+    const std::optional<StoreHead> head = readHead(database);
+    if (head) {
+      head_ = *head;
+      requireCellSize();
+    } else {
+      damages_.add("the store's own row is damaged: the numbers of places are made anew from them");
+    }
+    reader_ =
+        std::make_unique<StoreReader>(database, cell_size_, head ? &head_ : nullptr, damages_);
+    opened_ = reader_->readMap();
+    ids_ = idsOf(opened_->places);
+    are_labels_known_ = false;
+    if (check_all || !head) {
+      reader_->forEachPlanes(ids_, nullptr, [](PlaceId, const CellPlanes&) {});
+      reader_->forEachGrid(ids_, [](PlaceId, const EvidenceGrid&) {});
+      reader_->checkReadings();
+    }
+    if (!head) makeHead();
+  }
+
+  // Where the store's own row says nothing any more.
+  void makeHead() {
+    head_ = StoreHead();
+    head_.identity = makeIdentity();
+    head_.cell_size = cell_size_;
+    head_.totals = reader_->found();
+    head_.next_place = reader_->highestId() + 1;
+    for (const Place& place : opened_->places) {
+      head_.next_session = std::max(head_.next_session, place.session + 1);
+      head_.stamp = std::max(head_.stamp, place.learned);
+    }
+  }
+
+  void requireCellSize() const {
+    if (std::abs(head_.cell_size - cell_size_) <= kCellSizeTolerance) return;
+    throwStoreError(path_, "its grids have cells of " + std::to_string(head_.cell_size) +
+                               " m, but " + std::to_string(cell_size_) +
+                               " m are configured. Set that cell size, or name another file");
+  }
+
+  // What could not be written when it was opened is opened anew, unless that is bound to fail too.
+  void resume() {
+    const bool is_writable = database_ && !held_ && !database_->isReadOnly();
+    if (is_writable) return;
+    const std::string folder = std::filesystem::path(path_).parent_path().string();
+    if (is_changed_ || access(path_.c_str(), W_OK) != 0 || access(folder.c_str(), W_OK) != 0) {
+      throw StoreError(why_read_only_);
+    }
+    const StoreHead before = head_;
+    reader_.reset();
+    database_.reset();
+    held_.reset();
+    try {
+      open();
+    } catch (const StoreError& error) {
+      why_read_only_ = error.what();
+      throw;
+    }
+    is_changed_ = !head_.matches(before);
+    if (is_changed_) {
+      why_read_only_ = "place store " + path_ +
+                       ": another program has changed it since it was read: start the node again";
+    }
+    if (!why_read_only_.empty()) throw StoreError(why_read_only_);
+  }
+
+  void knowLabels() {
+    if (are_labels_known_) return;
+    labels_.clear();
+    scanTable(
+        *database_, {"place", "id", "id, label"},
+        [this](const SqliteStatement& row) { labels_.add(row.text(1)); },
+        [](std::int64_t /*unreadable*/) {});
+    are_labels_known_ = true;
+  }
+
+  const std::string path_;
+  const double cell_size_;
+  const StoreOpening opening_;
+  std::unique_ptr<SqliteDatabase> database_;
+  std::unique_ptr<SqliteDatabase> held_;  ///< file in an old format, of which database_ is a copy
+  std::string why_read_only_;
+  bool is_changed_ = false;  ///< by another program
+  StoreHead head_;
+  Damages damages_;
+  std::unique_ptr<StoreReader> reader_;
+  std::optional<StoreReader::Map> opened_;  ///< until it is asked for or changes
+  std::vector<PlaceId> ids_;                ///< of all places, rising
+  LabelHashes labels_;
+  bool are_labels_known_ = false;
+};
+
 PlaceStore::PlaceStore(const std::string& path, double cell_size, const StoreOpening& opening)
-    : cell_size_(cell_size), progress_(opening.progress) {
-  StoreFile file = openStoreFile(path, opening);
-  database_ = std::move(file.database);
-  checkCellSize(*database_, cell_size, file.checked);
-  if (file.old) addPlanesToStore(*database_, progress_);
-}
+    : impl_(std::make_unique<Impl>(path, cell_size, opening)) {}
 
 PlaceStore::~PlaceStore() = default;
 PlaceStore::PlaceStore(PlaceStore&&) noexcept = default;
 PlaceStore& PlaceStore::operator=(PlaceStore&&) noexcept = default;
 
-PlaceGraph PlaceStore::graph() const {
-  PlaceGraph graph;
-  try {
-    readPlaces(*database_, &graph);
-    readLinks(*database_, &graph);
-  } catch (const std::invalid_argument& error) {
-    throwStoreError(database_->path(), std::string("is damaged: ") + error.what());
-  }
-  return graph;
+const std::string& PlaceStore::path() const { return impl_->path(); }
+const std::string& PlaceStore::whyReadOnly() const { return impl_->whyReadOnly(); }
+const std::vector<std::string>& PlaceStore::setAside() const {
+  return impl_->damages().sentences();
 }
+const PlaceIdentity& PlaceStore::identity() const { return impl_->head().identity; }
+PlaceMap PlaceStore::map() const { return impl_->map(); }
+PlaceId PlaceStore::nextId() const { return impl_->head().next_place; }
+SessionId PlaceStore::nextSession() const { return impl_->head().next_session; }
 
 EvidenceGrid PlaceStore::grid(PlaceId id) const {
-  SqliteStatement query(*database_, "SELECT checksum, cells FROM grid WHERE place_id = ?");
-  if (!query.bind(id).step()) {
-    throwStoreError(database_->path(), "has no place " + std::to_string(id));
+  impl_->requirePlace(id);
+  const std::optional<EvidenceGrid> grid = impl_->reader().grid(id);
+  if (!grid) {
+    throwStoreError(path(), "is damaged: the grid of place " + std::to_string(id) +
+                                " is not as it was written");
   }
-  return readGrid(*database_, query, 0, cell_size_);
+  return *grid;
+}
+
+std::vector<SonarReading> PlaceStore::readings(PlaceId id) const {
+  impl_->requirePlace(id);
+  std::optional<std::vector<SonarReading>> readings = impl_->reader().readings(id);
+  if (!readings) {
+    throwStoreError(path(), "is damaged: the readings of place " + std::to_string(id) +
+                                " are not as they were written");
+  }
+  return std::move(*readings);
 }
 
 void PlaceStore::forEachGrid(const std::function<void(PlaceId, const EvidenceGrid&)>& call) const {
-  SqliteStatement query(*database_, "SELECT place_id, checksum, cells FROM grid ORDER BY place_id");
-  while (query.step()) call(query.integer(0), readGrid(*database_, query, 1, cell_size_));
+  impl_->reader().forEachGrid(impl_->ids(), call);
 }
 
 void PlaceStore::forEachPlanes(const std::function<void(PlaceId, const CellPlanes&)>& call) const {
-  // A place whose row is not there comes with an empty one, which is refused.
-  SqliteStatement query(*database_,
-                        "SELECT id, checksum, cells FROM place LEFT JOIN planes ON place_id = id "
-                        "ORDER BY id");
-  std::size_t places = 0;
-  while (query.step()) {
-    call(query.integer(0), readPlanes(*database_, query, 1));
-    if (progress_ && ++places % kPlacesBetweenReports == 0) {
-      progress_("read " + std::to_string(places) + " places of the store");
-    }
-  }
+  impl_->reader().forEachPlanes(impl_->ids(), impl_->progress(), call);
 }
 
-PlaceId PlaceStore::add(const Place& place, const EvidenceGrid& grid, PlaceId came_from) {
-  SqliteTransaction transaction(*database_);
-  SqliteStatement(*database_,
-                  "INSERT INTO place(label, x, y, yaw, learned_ns) VALUES(?, ?, ?, ?, ?)")
-      .bind(place.label)
-      .bind(place.map_from_place.x)
-      .bind(place.map_from_place.y)
-      .bind(place.map_from_place.yaw)
-      .bind(place.learned.count())
-      .run();
-  const PlaceId id = sqlite3_last_insert_rowid(database_->handle());
-  insertGrid(*database_, id, grid);
-  insertPlanes(*database_, id, CellPlanes(grid));
-  if (came_from != kNoPlace) insertLink(*database_, came_from, id);
-  transaction.commit();
-  return id;
-}
-
-void PlaceStore::rename(PlaceId id, const std::string& label) {
-  SqliteTransaction transaction(*database_);
-  SqliteStatement(*database_, "UPDATE place SET label = ? WHERE id = ?").bind(label).bind(id).run();
-  transaction.commit();
-}
-
-void PlaceStore::update(PlaceId id, const EvidenceGrid& grid) {
-  SqliteTransaction transaction(*database_);
-  if (!updateGrid(*database_, id, grid)) {
-    throwStoreError(database_->path(), "has no place " + std::to_string(id));
-  }
-  transaction.commit();
-}
-
-void PlaceStore::remove(PlaceId id) {
-  SqliteTransaction transaction(*database_);
-  SqliteStatement(*database_, "DELETE FROM place WHERE id = ?").bind(id).run();
-  transaction.commit();
-}
-
-void PlaceStore::clear() {
-  SqliteTransaction transaction(*database_);
-  database_->execute("DELETE FROM place");
-  transaction.commit();
-}
-
-void PlaceStore::atOnce(const std::function<void()>& changes) {
-  SqliteTransaction transaction(*database_);
-  changes();
-  transaction.commit();
-}
+void PlaceStore::commit(const MapChange& change) { impl_->commit(change); }
 
 }  // namespace place_memory::core

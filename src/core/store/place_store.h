@@ -1,88 +1,81 @@
 #ifndef PLACE_MEMORY_CORE_STORE_PLACE_STORE_H
 #define PLACE_MEMORY_CORE_STORE_PLACE_STORE_H
 
-#include <cstdint>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/grid/cell_planes.h"
 #include "place_memory/core/evidence_grid.h"
-#include "place_memory/core/place.h"
-#include "place_memory/core/place_graph.h"
+#include "place_memory/core/map_change.h"
+#include "place_memory/core/place_map.h"
+#include "place_memory/core/sonar_reading.h"
+#include "place_memory/core/store_opening.h"
 
 namespace place_memory::core {
 
-class SqliteDatabase;
-
-/// What is wrong with a store, in a sentence that names its file.
-class StoreError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Is told in a sentence, now and then, how far a long work has come.
-using StoreProgress = std::function<void(const std::string& sentence)>;
-
-struct StoreOpening {
-  /// A store that is no larger is read and checked from end to end when it is opened [bytes]: about
-  /// 48 000 places in a second. So is one whose last user did not end in good order, as
-  /// with power that fails. Of a larger one each row is checked when it is read.
-  std::uintmax_t full_check_size = std::uintmax_t{256} << 20U;
-  StoreProgress progress;  ///< may be null
-};
-
-/// Places, grids and links in an SQLite file: every change is one transaction, ids are never used
-/// again, and grids are read on demand.
+/// The map, its grids and the readings they were laid from in an SQLite file (format 3): a change
+/// of the map is one transaction, ids are never used again, and grids are read on demand.
 ///
 /// The journal is SQLite's default, a rollback journal, and not a write-ahead log: the store is
-/// then one file that can be copied and lies on any file system, and a change is rare and small
-/// beside the scan it comes from. The file is locked while it is open, because a second writer
-/// would change the map behind the back of the one who has it in memory. Not thread-safe.
+/// then one file that lies on any file system, and a change is rare and small beside the scan it
+/// comes from. The file is locked while it is open, because a second writer would change the map
+/// behind the back of the one who has it in memory.
+///
+/// Threads: one call at a time. Whoever shares a store guards it by a mutex of its own and not by
+/// that of map or index: commit() waits for the disk and so does, meanwhile, who asks for a grid.
 class PlaceStore {
  public:
   /// Opens the file, or creates it where there is none (its folder has to be there); "" stands for
   /// a store in memory that ends with this object. All grids have cells of `cell_size` [m].
   ///
-  /// Throws StoreError where the file is not a place store, was cut short or damaged, was written
-  /// by a newer version, holds grids with cells of another size, or cannot be read, written or
-  /// locked; the file is then as it was. A store that an older version wrote is brought to this
-  /// one.
+  /// Throws StoreError where the file is not a place store, was cut short, has a damaged structure,
+  /// was written by a newer version, holds grids with cells of another size, or cannot be read or
+  /// locked; the file is then as it was. Single damaged rows are left out: setAside(). What cannot
+  /// be written now is read: whyReadOnly(). A store that an older version wrote is brought to this
+  /// one; the old file stays beside it under a name that opening.progress is told.
   PlaceStore(const std::string& path, double cell_size, const StoreOpening& opening = {});
   ~PlaceStore();
   PlaceStore(PlaceStore&&) noexcept;
   PlaceStore& operator=(PlaceStore&&) noexcept;
 
-  /// Every place and link. Throws StoreError.
-  PlaceGraph graph() const;
+  /// Absolute; "": in memory.
+  const std::string& path() const;
+  /// Why a change cannot be kept now, or "". Each commit() tries anew and so changes this.
+  const std::string& whyReadOnly() const;
+  /// What is damaged and was left out, a sentence for each place, link, grid, bit planes or scan.
+  /// Known when the store is opened; of a store too large to be checked in full, when it is read.
+  const std::vector<std::string>& setAside() const;
+  /// Of this store and no other one.
+  const PlaceIdentity& identity() const;
+
+  /// Every place and link, and version and stamp of the newest change. Throws StoreError.
+  PlaceMap map() const;
+  /// Higher than any that was given before, be it to a place that is gone.
+  PlaceId nextId() const;
+  /// Higher than that of any place there ever was; kFirstSession in a new store.
+  SessionId nextSession() const;
+
   /// Throws StoreError where the place is unknown or its grid cannot be read.
   EvidenceGrid grid(PlaceId id) const;
-  /// Calls with every grid, by rising id of its place. Throws StoreError.
+  /// Of the scan from which the place was learned, in the place's frame, to some micrometres; empty
+  /// where they are not known, as in stores that an older version wrote. Throws like grid().
+  std::vector<SonarReading> readings(PlaceId id) const;
+  /// Calls with every grid that can be read, by rising id of its place. Throws StoreError.
   void forEachGrid(const std::function<void(PlaceId, const EvidenceGrid&)>& call) const;
-  /// The same with what matching needs of each grid, a quarter of its size. Throws StoreError.
+  /// The same with what matching needs of each grid, a quarter of its size.
   void forEachPlanes(const std::function<void(PlaceId, const CellPlanes&)>& call) const;
 
-  // Each of these throws StoreError where the change cannot be made; the store is then as it was.
-
-  /// Adds a place with a new id, whatever `place.id` is, and links it to `came_from` unless that is
-  /// kNoPlace. Returns the id.
-  PlaceId add(const Place& place, const EvidenceGrid& grid, PlaceId came_from);
-  void rename(PlaceId id, const std::string& label);
-  /// Puts another grid in the place of the one that the place has.
-  void update(PlaceId id, const EvidenceGrid& grid);
-  /// With its grid and its links.
-  void remove(PlaceId id);
-  void clear();
-  /// Makes one change of all that `changes` changes through this object: thousands of places are
-  /// added in a second. What it throws is thrown again, with the store as it was before.
-  void atOnce(const std::function<void()>& changes);
+  /// Makes all edits, in one transaction. They have to fit the map (PlaceMap::check()); the ids of
+  /// places that are added are nextId() or higher, each higher than the one before, and each has a
+  /// grid. Thousands are added in a second by one change. Throws StoreError where it cannot be
+  /// made; the store is then as it was.
+  void commit(const MapChange& change);
 
  private:
-  std::unique_ptr<SqliteDatabase> database_;
-  double cell_size_;
-  StoreProgress progress_;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace place_memory::core

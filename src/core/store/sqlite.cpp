@@ -1,7 +1,5 @@
 #include "core/store/sqlite.h"
 
-#include "core/store/place_store.h"
-
 namespace place_memory::core {
 namespace {
 
@@ -9,26 +7,11 @@ namespace {
 constexpr int kBusyTimeoutMs = 2000;
 
 [[noreturn]] void throwSqliteError(const std::string& path, sqlite3* handle) {
-  const std::string reason = sqlite3_errmsg(handle);
-  switch (sqlite3_errcode(handle)) {
-    case SQLITE_CORRUPT:
-    case SQLITE_NOTADB:
-      throwStoreError(path, "is damaged: " + reason);
-    case SQLITE_BUSY:
-      throwStoreError(path, "is in use by another program: " + reason);
-    default:
-      throwStoreError(path, reason);
-  }
-}
-
-// With its journal open all the time SQLite would go on writing to a file without a name.
-void requireFileInPlace(SqliteDatabase& database) {
-  int moved = 0;
-  sqlite3_file_control(database.handle(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
-  if (moved != 0) {
-    throwStoreError(database.path(),
-                    "was moved, replaced or deleted since it was opened: start the node again");
-  }
+  const int code = sqlite3_errcode(handle) & 0xff;
+  std::string reason = sqlite3_errmsg(handle);
+  if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) reason.insert(0, "is damaged: ");
+  if (code == SQLITE_BUSY) reason.insert(0, "is in use by another program: ");
+  throw SqliteError("place store " + path + ": " + reason, code);
 }
 
 }  // namespace
@@ -44,6 +27,12 @@ SqliteDatabase::SqliteDatabase(const std::string& path, bool create) : path_(pat
   handle_.reset(handle);
   if (code != SQLITE_OK) throwSqliteError(path, handle);
   sqlite3_busy_timeout(handle, kBusyTimeoutMs);
+}
+
+bool SqliteDatabase::hasMoved() const {
+  int moved = 0;
+  sqlite3_file_control(handle(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  return moved != 0;
 }
 
 void SqliteDatabase::execute(const std::string& sql) {
@@ -70,8 +59,8 @@ SqliteStatement& SqliteStatement::bind(double value) {
 }
 
 SqliteStatement& SqliteStatement::bind(const std::string& text) {
-  check(sqlite3_bind_text64(handle_.get(), ++parameters_, text.data(), text.size(),
-                            SQLITE_TRANSIENT, SQLITE_UTF8));
+  check(sqlite3_bind_text64(handle_.get(), ++parameters_, text.data(), text.size(), SQLITE_STATIC,
+                            SQLITE_UTF8));
   return *this;
 }
 
@@ -87,6 +76,17 @@ bool SqliteStatement::step() {
   return false;
 }
 
+void SqliteStatement::run() {
+  while (step()) {
+  }
+  reset();
+}
+
+void SqliteStatement::reset() {
+  sqlite3_reset(handle_.get());  // says again what step() said
+  parameters_ = 0;
+}
+
 std::string SqliteStatement::text(int column) const {
   const auto* bytes = static_cast<const char*>(blob(column));
   return bytes == nullptr ? std::string() : std::string(bytes, size(column));
@@ -96,23 +96,43 @@ void SqliteStatement::check(int code) {
   if (code != SQLITE_OK) throwSqliteError(database_.path(), database_.handle());
 }
 
-SqliteTransaction::SqliteTransaction(SqliteDatabase& database)
-    : database_(database), is_outermost_(sqlite3_get_autocommit(database.handle()) != 0) {
-  if (!is_outermost_) return;
-  requireFileInPlace(database);
+SqliteBlob::SqliteBlob(SqliteDatabase& database, const char* table, const char* column,
+                       std::int64_t row)
+    : database_(database) {
+  sqlite3_blob* handle = nullptr;
+  const int code = sqlite3_blob_open(database.handle(), "main", table, column, row, 1, &handle);
+  handle_.reset(handle);
+  check(code);
+}
+
+void SqliteBlob::read(void* bytes, std::size_t size, std::size_t offset) {
+  check(sqlite3_blob_read(handle_.get(), bytes, static_cast<int>(size), static_cast<int>(offset)));
+}
+
+void SqliteBlob::write(const void* bytes, std::size_t size, std::size_t offset) {
+  check(sqlite3_blob_write(handle_.get(), bytes, static_cast<int>(size), static_cast<int>(offset)));
+}
+
+void SqliteBlob::check(int code) {
+  if (code != SQLITE_OK) throwSqliteError(database_.path(), database_.handle());
+}
+
+SqliteTransaction::SqliteTransaction(SqliteDatabase& database) : database_(database) {
+  // With its journal open all the time SQLite would go on writing to a file without a name.
+  if (database.hasMoved()) {
+    throwStoreError(database.path(),
+                    "was moved, replaced or deleted since it was opened: start the node again");
+  }
   database.execute("BEGIN IMMEDIATE");
 }
 
 SqliteTransaction::~SqliteTransaction() {
   // After a failed commit SQLite may have rolled back by itself already.
-  const bool is_open = sqlite3_get_autocommit(database_.handle()) == 0;
-  if (is_outermost_ && is_open) {
+  if (sqlite3_get_autocommit(database_.handle()) == 0) {
     sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
   }
 }
 
-void SqliteTransaction::commit() {
-  if (is_outermost_) database_.execute("COMMIT");
-}
+void SqliteTransaction::commit() { database_.execute("COMMIT"); }
 
 }  // namespace place_memory::core

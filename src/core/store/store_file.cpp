@@ -1,212 +1,178 @@
 #include "core/store/store_file.h"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <random>
-#include <string_view>
 #include <system_error>
 
-#include "core/store/store_migration.h"
+#include "core/store/file_header.h"
+#include "core/store/store_head.h"
+#include "core/store/store_schema.h"
+#include "core/store/unfinished_file.h"
 
 namespace place_memory::core {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kApplicationId = 0x504c4d59;  // "PLMY"
-constexpr std::uint32_t kSchemaVersion = 2;
-constexpr std::uint32_t kOldestVersion = 1;
-
-// AUTOINCREMENT is what keeps SQLite from giving the id of a removed place again.
-constexpr char kSchema[] = R"(
-  CREATE TABLE place(
-    id INTEGER PRIMARY KEY AUTOINCREMENT,
-    label TEXT NOT NULL UNIQUE,
-    x REAL NOT NULL,              -- in the map frame [m]
-    y REAL NOT NULL,
-    yaw REAL NOT NULL,            -- of compass east in the map frame [rad]
-    learned_ns INTEGER NOT NULL   -- since the epoch
-  );
-  CREATE TABLE grid(
-    place_id INTEGER PRIMARY KEY REFERENCES place(id) ON DELETE CASCADE,
-    cell_size REAL NOT NULL,      -- [m]
-    checksum INTEGER NOT NULL,    -- CRC-32 of cells
-    cells BLOB NOT NULL           -- one signed byte a cell, row by row from the least y
-  );
-  CREATE TABLE link(
-    first_id INTEGER NOT NULL REFERENCES place(id) ON DELETE CASCADE,
-    second_id INTEGER NOT NULL REFERENCES place(id) ON DELETE CASCADE,
-    PRIMARY KEY(first_id, second_id),
-    CHECK(first_id < second_id)
-  ) WITHOUT ROWID;
-  CREATE INDEX link_by_second ON link(second_id);
-)";
-
-// The start of every SQLite file: https://www.sqlite.org/fileformat2.html section 1.3.
-class FileHeader {
- public:
-  static constexpr std::size_t kSize = 100;
-
-  // False where the file is too short to have a header.
-  bool read(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return static_cast<bool>(file.read(bytes_.data(), kSize));
-  }
-
-  bool isSqlite() const {
-    constexpr std::string_view kMagic("SQLite format 3\0", 16);
-    return std::equal(kMagic.begin(), kMagic.end(), bytes_.begin());
-  }
-  std::uint32_t applicationId() const { return number(68, 4); }
-  std::uint32_t schemaVersion() const { return number(60, 4); }
-  std::uint64_t fileSize() const {
-    const std::uint32_t page_size = number(16, 2);
-    return std::uint64_t{page_size == 1 ? 65536 : page_size} * number(28, 4);
-  }
-
- private:
-  std::uint32_t number(std::size_t offset, std::size_t size) const {
-    std::uint32_t value = 0;
-    for (std::size_t i = offset; i < offset + size; ++i) {
-      value = value << 8U | static_cast<unsigned char>(bytes_[i]);
-    }
-    return value;
-  }
-
-  std::array<char, kSize> bytes_{};
-};
+bool hasJournal(const std::string& path) { return fs::exists(path + "-journal"); }
 
 // SQLite would start afresh in an empty file and write to any database of its own format, so what
-// the file is gets settled before SQLite sees it. Returns its format.
-std::uint32_t checkHeader(const std::string& path) {
+// the file is gets settled before SQLite sees it.
+FileHeader readHeader(const std::string& path) {
   FileHeader header;
   if (!header.read(path)) {
     throwStoreError(path, "cannot be read as a file, or was cut short: it has no complete header");
   }
-  if (!header.isSqlite() || header.applicationId() != kApplicationId) {
+  if (!header.isSqlite() || header.applicationId() != kStoreApplicationId) {
     throwStoreError(path, "is not a place store; it was left as it is. Name another file");
   }
-  if (header.schemaVersion() < kOldestVersion || header.schemaVersion() > kSchemaVersion) {
-    throwStoreError(path, "has format " + std::to_string(header.schemaVersion()) + ", but " +
-                              std::to_string(kSchemaVersion) +
+  return header;
+}
+
+// Power that fails during a change leaves a file that is neither as before nor as after it, and a
+// journal by which SQLite undoes the change when it reads. Only then is it known what the file is.
+void undoUnfinishedChange(const std::string& path) {
+  if (!hasJournal(path)) return;
+  readHeader(path);
+  try {
+    SqliteDatabase database(path, false);
+    SqliteStatement(database, "SELECT count(*) FROM sqlite_master").run();
+  } catch (const SqliteError& error) {
+    if (error.code() != SQLITE_READONLY && error.code() != SQLITE_CANTOPEN) throw;
+    throwStoreError(path,
+                    "a change was cut off and has to be undone first, but the file and its "
+                    "folder cannot be written");
+  }
+}
+
+// Returns the format.
+std::uint32_t checkHeader(const std::string& path) {
+  const FileHeader header = readHeader(path);
+  const std::uint32_t format = header.userVersion();
+  if (format < kOldestStoreFormat || format > kStoreFormat) {
+    throwStoreError(path, "has format " + std::to_string(format) + ", but " +
+                              std::to_string(kStoreFormat) +
                               " is the last one known here: it was written by a newer version");
   }
-  // An unfinished change that the journal is there to undo may have left the size wrong.
   const std::uint64_t size = fs::file_size(path);
-  if (size < header.fileSize() && !fs::exists(path + "-journal")) {
+  if (size < header.fileSize()) {
     throwStoreError(path, "was cut short: " + std::to_string(size) + " of " +
                               std::to_string(header.fileSize()) + " bytes are there");
   }
-  return header.schemaVersion();
+  return format;
 }
 
-void createSchema(SqliteDatabase& database) {
-  SqliteTransaction transaction(database);
-  database.execute(kSchema);
-  database.execute(kPlanesSchema);
-  database.execute("PRAGMA application_id = " + std::to_string(kApplicationId));
-  database.execute("PRAGMA user_version = " + std::to_string(kSchemaVersion));
-  transaction.commit();
+void createFile(const std::string& path, double cell_size) {
+  UnfinishedFile file(path);
+  {
+    SqliteDatabase database(file.name(), true);
+    createSchema(database);
+    StoreHead head;
+    head.identity = makeIdentity();
+    head.cell_size = cell_size;
+    writeHead(database, head);
+  }
+  file.publish();
 }
 
-// Another name for each call, of any process.
-std::string unfinishedName(const std::string& path) {
-  std::random_device random;
-  return path + ".new-" + std::to_string(random()) + "-" + std::to_string(random());
-}
-
-// Gives the finished file its name, unless somebody else's has it by now: that one stays.
-void publish(const std::string& unfinished, const std::string& path) {
-  std::error_code error;
-  fs::create_hard_link(unfinished, path, error);
-  if (error && error != std::errc::file_exists) {
-    fs::rename(unfinished, path);  // a file system without hard links
-  } else {
-    fs::remove(unfinished);
+void requireFile(const std::string& path, double cell_size) {
+  const fs::path folder = fs::path(path).parent_path();
+  if (!fs::is_directory(folder)) {
+    throwStoreError(path, "cannot be made: there is no folder " + folder.string());
+  }
+  if (!fs::exists(path)) {
+    removeUnfinished(path);
+    createFile(path, cell_size);
+  } else if (!fs::is_regular_file(path)) {
+    throwStoreError(
+        path, fs::is_directory(path) ? "is a folder; name a file" : "is no file; name another one");
   }
 }
 
-void fillNewFile(const std::string& path) {
-  SqliteDatabase database(path, true);
-  // The largest there is: the bit planes of sixty places then lie together. With SQLite's usual
-  // 4096 bytes a start with a million places reads seven times as long from a disk.
-  database.execute("PRAGMA page_size = 65536");
-  createSchema(database);
-}
+bool isBusy(const SqliteError& error) { return error.code() == SQLITE_BUSY; }
 
-// Under another name first: whenever this is cut off, no half-made store bears the name.
-void createFile(const std::string& path) {
-  const std::string unfinished = unfinishedName(path);
+// Returns why it cannot be written, or "". SQLite opens for reading what it may not write, so a
+// change is tried and taken back.
+std::string tryToWrite(SqliteDatabase& database, std::uint32_t format) {
+  std::string reason;
   try {
-    fillNewFile(unfinished);
-    publish(unfinished, path);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(unfinished, ignored);
-    throw;
+    if (database.isReadOnly()) {
+      return "place store " + database.path() + ": the file may not be written";
+    }
+    database.execute("BEGIN EXCLUSIVE; PRAGMA user_version = " + std::to_string(format));
+  } catch (const SqliteError& error) {
+    if (isBusy(error) || error.code() == SQLITE_CORRUPT) throw;
+    reason = error.what();
   }
+  if (sqlite3_get_autocommit(database.handle()) == 0) database.execute("ROLLBACK");
+  return reason;
 }
 
-bool hasPlaceWithout(SqliteDatabase& database, const std::string& table) {
-  return SqliteStatement(
-             database, "SELECT id FROM place WHERE id NOT IN (SELECT place_id FROM " + table + ")")
-      .step();
+void lock(SqliteDatabase& database) {
+  database.execute("PRAGMA locking_mode = EXCLUSIVE");
+  if (database.isReadOnly()) {
+    SqliteStatement(database, "SELECT count(*) FROM sqlite_master").run();
+  } else {
+    database.execute("BEGIN EXCLUSIVE; COMMIT");
+  }
+  if (database.hasMoved()) {  // who had it before has brought it to a new format meanwhile
+    throwStoreError(database.path(), "is in use by another program, which has just replaced it");
+  }
 }
 
 // Reads the whole file.
-void checkContent(SqliteDatabase& database, std::uint32_t version) {
-  SqliteStatement check(database, "PRAGMA quick_check(1)");
+void checkStructure(SqliteDatabase& database, std::uint32_t format) {
+  // Of old formats the indexes too, which format 3 has not.
+  SqliteStatement check(
+      database, format < kStoreFormat ? "PRAGMA integrity_check(1)" : "PRAGMA quick_check(1)");
   if (!check.step() || check.text(0) != "ok") {
     throwStoreError(database.path(), "is damaged: " + check.text(0));
   }
-  if (SqliteStatement(database, "PRAGMA foreign_key_check").step() ||
-      hasPlaceWithout(database, "grid") || (version > 1 && hasPlaceWithout(database, "planes"))) {
-    throwStoreError(database.path(), "is damaged: places, grids and links do not belong together");
-  }
 }
 
-StoreFile openFile(const std::string& path, const StoreOpening& opening) {
-  if (!fs::exists(path)) createFile(path);
-  const std::uint32_t version = checkHeader(path);
-  const std::uintmax_t size = fs::file_size(path);
+StoreFile openFile(const std::string& path, double cell_size, const StoreOpening& opening) {
+  requireFile(path, cell_size);
   // Whoever ends in good order takes the journal along.
-  const bool ended_well = !fs::exists(path + "-journal");
+  const bool ended_well = !hasJournal(path);
+  undoUnfinishedChange(path);
+  removeUnfinished(path);
   StoreFile file;
-  file.checked = size <= opening.full_check_size || !ended_well || version < kSchemaVersion;
+  file.format = checkHeader(path);
+  const std::uintmax_t size = fs::file_size(path);
+  file.checked = size <= opening.full_check_size || !ended_well || file.format < kStoreFormat;
   file.database = std::make_unique<SqliteDatabase>(path, false);
-  // SQLite opens what it may not write for reading, so a change is tried and taken back.
-  file.database->execute("BEGIN EXCLUSIVE; PRAGMA user_version = " + std::to_string(version) +
-                         "; ROLLBACK");
-  file.database->execute("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE; COMMIT");
+  file.why_read_only = tryToWrite(*file.database, file.format);
+  lock(*file.database);
   if (file.checked) {
     if (opening.progress && size > opening.full_check_size) {
       opening.progress("checking all " + std::to_string(size >> 20U) + " MiB of the store");
     }
-    checkContent(*file.database, version);
+    checkStructure(*file.database, file.format);
   }
-  file.old = version < kSchemaVersion;
+  checkSchema(*file.database, file.format);
   return file;
 }
 
 }  // namespace
 
-StoreFile openStoreFile(const std::string& path, const StoreOpening& opening) {
-  StoreFile file;
-  if (path.empty()) {
-    file.database = std::make_unique<SqliteDatabase>(":memory:", true);
-    createSchema(*file.database);
-  } else {
-    try {
-      file = openFile(fs::absolute(path).string(), opening);
-    } catch (const fs::filesystem_error& error) {
-      throwStoreError(path, error.code().message());
-    }
+std::string storePath(const std::string& path) {
+  if (path.empty()) return path;
+  std::string absolute = path;
+  const char* home = std::getenv("HOME");
+  if (home != nullptr && (path == "~" || path.compare(0, 2, "~/") == 0)) {
+    absolute = home + path.substr(1);
   }
-  file.database->execute("PRAGMA foreign_keys = ON");
-  return file;
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(absolute), error);
+  return error ? fs::absolute(absolute).lexically_normal().string() : canonical.string();
+}
+
+StoreFile openStoreFile(const std::string& path, double cell_size, const StoreOpening& opening) {
+  try {
+    return openFile(path, cell_size, opening);
+  } catch (const fs::filesystem_error& error) {
+    throwStoreError(path, error.code().message());
+  }
 }
 
 }  // namespace place_memory::core

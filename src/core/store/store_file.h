@@ -1,24 +1,31 @@
 #ifndef PLACE_MEMORY_CORE_STORE_STORE_FILE_H
 #define PLACE_MEMORY_CORE_STORE_STORE_FILE_H
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
-#include "core/store/place_store.h"
 #include "core/store/sqlite.h"
+#include "place_memory/core/store_opening.h"
 
 namespace place_memory::core {
 
 struct StoreFile {
   std::unique_ptr<SqliteDatabase> database;
-  bool checked = true;  ///< in full; otherwise what is read has to be checked as it is read
-  bool old = false;     ///< of an older version, checked in full: addPlanesToStore() renews it
+  std::uint32_t format = 0;
+  bool checked = true;        ///< in full; otherwise what is read has to be checked as it is read
+  std::string why_read_only;  ///< "" where it can be written
 };
 
-/// Opens and locks a store's file, or creates it where there is none; "" stands for memory. Throws
-/// StoreError where it is not a sound store of a version that is known, or cannot be written; the
-/// file is then as it was.
-StoreFile openStoreFile(const std::string& path, const StoreOpening& opening);
+/// Where a store lies whose path is given as people write it: absolute, "~" resolved, and links to
+/// files followed. "" stays "".
+std::string storePath(const std::string& path);
+
+/// Opens and locks a store's file, or creates it where there is none. A change that was cut off is
+/// undone first. Throws StoreError where it is not a sound store of a format that is known, or
+/// cannot be read or locked; the file is then as it was. `path` is storePath()'s. A new one is for
+/// grids with cells of `cell_size` [m].
+StoreFile openStoreFile(const std::string& path, double cell_size, const StoreOpening& opening);
 
 }  // namespace place_memory::core
 

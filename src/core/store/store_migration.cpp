@@ -1,29 +1,99 @@
 #include "core/store/store_migration.h"
 
-#include "core/store/store_rows.h"
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+#include <variant>
+
+#include "core/store/old_store.h"
+#include "core/store/store_head.h"
+#include "core/store/store_schema.h"
+#include "core/store/store_writer.h"
+#include "core/store/unfinished_file.h"
 
 namespace place_memory::core {
 namespace {
 
-void convert(SqliteDatabase& database, const StoreProgress& progress) {
-  std::size_t converted = 0;
-  SqliteStatement grid(database, "SELECT place_id, checksum, cells FROM grid ORDER BY place_id");
-  while (grid.step()) {
-    insertPlanes(database, grid.integer(0), CellPlanes(readGrid(database, grid, 1, 1.0)));
-    if (progress && ++converted % kPlacesBetweenReports == 0) {
-      progress("brought " + std::to_string(converted) + " places to the new format of the store");
+constexpr std::size_t kEditsBetweenReports = std::size_t{1} << 16U;
+
+// Two copies of an old store become stores of one identity.
+void fold(const PlaceIdentity& identity, PlaceIdentity& into) {
+  for (std::size_t i = 0; i < into.size(); ++i) into[i] ^= identity[i];
+}
+
+void convert(SqliteDatabase& old, SqliteDatabase& database, double cell_size,
+             const StoreProgress& progress) {
+  createSchema(database);
+  SqliteTransaction transaction(database);
+  StoreHead head;
+  head.cell_size = cell_size;
+  LabelHashes labels;
+  StoreWriter writer(database, head, labels);
+  std::size_t edits = 0;
+  readOldStore(old, cell_size, [&](const MapChange& change) {
+    for (const MapEdit& edit : change.edits) {
+      if (const auto* added = std::get_if<PlaceAdded>(&edit)) {
+        fold(added->place.identity, head.identity);
+      }
+      std::visit(writer, edit);
+      if (progress && ++edits % kEditsBetweenReports == 0) {
+        progress("brought " + std::to_string(edits) +
+                 " places and links to the new format of the store");
+      }
     }
+    head.version = change.version;
+    head.stamp = change.stamp;
+  });
+  writer.finish();
+  head.next_place = std::max(head.next_place, oldNextId(old));
+  if (head.identity == PlaceIdentity{}) head.identity = makeIdentity();
+  writeHead(database, head);
+  transaction.commit();
+}
+
+// Returns why it could not be made, or "".
+std::string replaceFile(const StoreFile& old, const std::string& path, double cell_size,
+                        const StoreProgress& progress) {
+  try {
+    UnfinishedFile file(path);
+    {
+      SqliteDatabase database(file.name(), true);
+      convert(*old.database, database, cell_size, progress);
+    }
+    const std::string kept = keepFileAs(path, "format-" + std::to_string(old.format));
+    file.publishOver();
+    if (progress) {
+      progress("brought the store " + path + " from format " + std::to_string(old.format) + " to " +
+               std::to_string(kStoreFormat) + "; the old file is kept as " + kept);
+    }
+  } catch (const SqliteError& error) {
+    if (!error.isOfDisk()) throw;
+    return error.what();
+  } catch (const std::filesystem::filesystem_error& error) {
+    return "place store " + path + ": " + error.code().message();
   }
+  return "";
 }
 
 }  // namespace
 
-void addPlanesToStore(SqliteDatabase& database, const StoreProgress& progress) {
-  SqliteTransaction transaction(database);
-  database.execute(kPlanesSchema);
-  convert(database, progress);
-  database.execute("PRAGMA user_version = 2");
-  transaction.commit();
+StoreFile migrateStore(StoreFile old, const std::string& path, double cell_size,
+                       const StoreOpening& opening, std::unique_ptr<SqliteDatabase>& held) {
+  checkOldStore(*old.database, cell_size);
+  StoreFile result;
+  result.format = kStoreFormat;
+  result.why_read_only = old.why_read_only;
+  if (result.why_read_only.empty()) {
+    result.why_read_only = replaceFile(old, path, cell_size, opening.progress);
+    if (result.why_read_only.empty()) {
+      old.database.reset();
+      return openStoreFile(path, cell_size, opening);
+    }
+  }
+  result.database = std::make_unique<SqliteDatabase>(":memory:", true);
+  convert(*old.database, *result.database, cell_size, opening.progress);
+  held = std::move(old.database);
+  return result;
 }
 
 }  // namespace place_memory::core

@@ -1,116 +1,173 @@
 #include "core/store/store_rows.h"
 
-#include <array>
-#include <boost/crc.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+
+#include "core/map/place_label.h"
+#include "core/store/packed_bytes.h"
+#include "core/store/packed_readings.h"
+#include "core/store/row_checksum.h"
 
 namespace place_memory::core {
 namespace {
 
-constexpr std::size_t kWordBytes = sizeof(std::uint64_t);
-constexpr std::size_t kPlaneBytes = kGridSize * kWordBytes;
-
-/// Both planes, each row by row, the least significant byte of a row first on every machine.
-using PlaneBytes = std::array<unsigned char, 2 * kPlaneBytes>;
-
-std::int64_t checksum(const void* bytes, std::size_t size) {
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes, size);
-  return crc.checksum();
+std::uint64_t checksumOf(const Place& place) {
+  return RowChecksum()
+      .add(place.id)
+      .add(place.identity.data(), place.identity.size())
+      .add(place.label)
+      .add(place.map_from_place)
+      .add(place.session)
+      .add(place.place_from_robot)
+      .add(std::int64_t{place.learned.count()})
+      .value();
 }
 
-/// FNV-1a, over words: changes with any one word, and takes a tenth of a CRC-32's time, which is
-/// what the start with a million places would otherwise consist of.
-std::int64_t checksum(const CellPlanes& planes) {
-  std::uint64_t sum = 0xcbf29ce484222325U;
-  for (const BitPlane* plane : {&planes.occupied, &planes.empty}) {
-    for (const std::uint64_t row : *plane) sum = (sum ^ row) * 0x100000001b3U;
-  }
-  return static_cast<std::int64_t>(sum);
+RowChecksum& add(RowChecksum& checksum, const LinkDirection& direction) {
+  return checksum.add(std::uint64_t{direction.succeeded})
+      .add(std::uint64_t{direction.failed})
+      .add(std::int64_t{direction.last.count()});
 }
 
-void pack(const BitPlane& plane, unsigned char* bytes) {
-  for (const std::uint64_t row : plane) {
-    for (std::size_t i = 0; i < kWordBytes; ++i) {
-      *bytes++ = static_cast<unsigned char>(row >> 8 * i & 0xffU);
-    }
-  }
+std::uint64_t checksumOf(const LinkRow& row) {
+  RowChecksum checksum;
+  checksum.add(row.id).add(row.link.first).add(row.link.second).add(row.link.first_from_second);
+  for (const double element : row.link.covariance) checksum.add(element);
+  add(checksum, row.link.forward);
+  add(checksum, row.link.backward);
+  return checksum.value();
 }
 
-void unpack(const unsigned char* bytes, BitPlane& plane) {
-  for (std::uint64_t& row : plane) {
-    row = 0;
-    for (std::size_t i = 0; i < kWordBytes; ++i) row |= std::uint64_t{*bytes++} << 8 * i;
-  }
+std::uint64_t checksumOf(PlaceId place, const void* bytes, std::size_t size) {
+  return RowChecksum().add(place).add(bytes, size).value();
 }
 
-PlaneBytes packed(const CellPlanes& planes) {
-  PlaneBytes bytes;
-  pack(planes.occupied, bytes.data());
-  pack(planes.empty, bytes.data() + kPlaneBytes);
-  return bytes;
+bool isId(PlaceId id) { return id > kNoPlace && id < kPlaceIdLimit; }
+
+bool isSound(const Place& place) {
+  return isId(place.id) && isValidLabel(place.label) && place.map_from_place.isFinite() &&
+         place.place_from_robot.isFinite() && place.session > kNoSession;
 }
 
-[[noreturn]] void refuse(const SqliteDatabase& database, const char* what) {
-  throwStoreError(database.path(), std::string("is damaged: ") + what + " not as written");
+bool isSound(const PlaceLink& link) {
+  return isId(link.first) && isId(link.second) && link.first < link.second &&
+         link.first_from_second.isFinite() &&
+         std::all_of(link.covariance.begin(), link.covariance.end(),
+                     [](double element) { return std::isfinite(element); });
+}
+
+Pose2d poseAt(const SqliteStatement& row, int column) {
+  return {row.real(column), row.real(column + 1), row.real(column + 2)};
+}
+
+void bindPose(SqliteStatement& statement, const Pose2d& pose) {
+  statement.bind(pose.x).bind(pose.y).bind(pose.yaw);
+}
+
+LinkDirection directionAt(const SqliteStatement& row, int column) {
+  return {static_cast<std::uint32_t>(row.integer(column)),
+          static_cast<std::uint32_t>(row.integer(column + 1)),
+          std::chrono::nanoseconds(row.integer(column + 2))};
+}
+
+void bindDirection(SqliteStatement& statement, const LinkDirection& direction) {
+  statement.bind(std::int64_t{direction.succeeded})
+      .bind(std::int64_t{direction.failed})
+      .bind(std::int64_t{direction.last.count()});
+}
+
+bool checksumIs(const SqliteStatement& row, int column, std::uint64_t checksum) {
+  return static_cast<std::uint64_t>(row.integer(column)) == checksum;
+}
+
+std::uint64_t finish(SqliteStatement& insert, std::uint64_t checksum) {
+  insert.bind(static_cast<std::int64_t>(checksum)).run();
+  return checksum;
 }
 
 }  // namespace
 
-void insertGrid(SqliteDatabase& database, PlaceId place, const EvidenceGrid& grid) {
-  SqliteStatement(database, "INSERT INTO grid VALUES(?, ?, ?, ?)")
-      .bind(place)
-      .bind(grid.geometry().cell_size)
-      .bind(checksum(grid.cells().data(), grid.cells().size()))
-      .bind(grid.cells().data(), grid.cells().size())
-      .run();
+std::uint64_t writePlace(SqliteStatement& insert, const Place& place) {
+  insert.bind(place.id).bind(place.identity.data(), place.identity.size()).bind(place.label);
+  bindPose(insert, place.map_from_place);
+  insert.bind(place.session);
+  bindPose(insert, place.place_from_robot);
+  insert.bind(std::int64_t{place.learned.count()});
+  return finish(insert, checksumOf(place));
 }
 
-void insertPlanes(SqliteDatabase& database, PlaceId place, const CellPlanes& planes) {
-  const PlaneBytes bytes = packed(planes);
-  SqliteStatement(database, "INSERT INTO planes VALUES(?, ?, ?)")
-      .bind(place)
-      .bind(checksum(planes))
-      .bind(bytes.data(), bytes.size())
-      .run();
+std::optional<Place> readPlace(const SqliteStatement& row) {
+  Place place;
+  if (row.size(1) != place.identity.size()) return std::nullopt;
+  place.id = row.integer(0);
+  std::memcpy(place.identity.data(), row.blob(1), place.identity.size());
+  place.label = row.text(2);
+  place.map_from_place = poseAt(row, 3);
+  place.session = row.integer(6);
+  place.place_from_robot = poseAt(row, 7);
+  place.learned = std::chrono::nanoseconds(row.integer(10));
+  if (!checksumIs(row, 11, checksumOf(place)) || !isSound(place)) return std::nullopt;
+  return place;
 }
 
-bool updateGrid(SqliteDatabase& database, PlaceId place, const EvidenceGrid& grid) {
-  SqliteStatement(database, "UPDATE grid SET checksum = ?, cells = ? WHERE place_id = ?")
-      .bind(checksum(grid.cells().data(), grid.cells().size()))
-      .bind(grid.cells().data(), grid.cells().size())
-      .bind(place)
-      .run();
-  if (sqlite3_changes(database.handle()) == 0) return false;
-  const CellPlanes planes(grid);
-  const PlaneBytes bytes = packed(planes);
-  SqliteStatement(database, "UPDATE planes SET checksum = ?, cells = ? WHERE place_id = ?")
-      .bind(checksum(planes))
-      .bind(bytes.data(), bytes.size())
-      .bind(place)
-      .run();
-  return true;
+std::uint64_t writeLink(SqliteStatement& insert, const LinkRow& row) {
+  BytePacker covariance;
+  for (const double element : row.link.covariance) covariance.add(element);
+  insert.bind(row.id).bind(row.link.first).bind(row.link.second);
+  bindPose(insert, row.link.first_from_second);
+  insert.bind(covariance.bytes().data(), covariance.bytes().size());
+  bindDirection(insert, row.link.forward);
+  bindDirection(insert, row.link.backward);
+  return finish(insert, checksumOf(row));
 }
 
-EvidenceGrid readGrid(const SqliteDatabase& database, const SqliteStatement& row, int column,
-                      double cell_size) {
-  const void* cells = row.blob(column + 1);
-  if (row.size(column + 1) != kGridCells || checksum(cells, kGridCells) != row.integer(column)) {
-    refuse(database, "a grid is");
+std::optional<LinkRow> readLink(const SqliteStatement& row) {
+  LinkRow result;
+  result.id = row.integer(0);
+  PlaceLink& link = result.link;
+  link.first = row.integer(1);
+  link.second = row.integer(2);
+  link.first_from_second = poseAt(row, 3);
+  ByteUnpacker covariance(row.blob(6), row.size(6));
+  for (double& element : link.covariance) element = covariance.take<double>();
+  link.forward = directionAt(row, 7);
+  link.backward = directionAt(row, 10);
+  if (!covariance.good() || covariance.left() != 0 || !checksumIs(row, 13, checksumOf(result)) ||
+      !isSound(link) || result.id >> kLinkShift != link.first) {
+    return std::nullopt;
+  }
+  return result;
+}
+
+std::uint64_t writeGrid(SqliteStatement& insert, PlaceId place, const EvidenceGrid& grid) {
+  const auto& cells = grid.cells();
+  insert.bind(place).bind(cells.data(), cells.size());
+  return finish(insert, checksumOf(place, cells.data(), cells.size()));
+}
+
+std::optional<EvidenceGrid> readGrid(const SqliteStatement& row, double cell_size) {
+  const void* cells = row.blob(1);
+  if (row.size(1) != kGridCells ||
+      !checksumIs(row, 2, checksumOf(row.integer(0), cells, kGridCells))) {
+    return std::nullopt;
   }
   EvidenceGrid grid(GridGeometry{cell_size});
   std::memcpy(grid.cells().data(), cells, kGridCells);
   return grid;
 }
 
-CellPlanes readPlanes(const SqliteDatabase& database, const SqliteStatement& row, int column) {
-  const auto* bytes = static_cast<const unsigned char*>(row.blob(column + 1));
-  CellPlanes planes;
-  if (row.size(column + 1) != sizeof(PlaneBytes)) refuse(database, "the bit planes of a place are");
-  unpack(bytes, planes.occupied);
-  unpack(bytes + kPlaneBytes, planes.empty);
-  if (checksum(planes) != row.integer(column)) refuse(database, "the bit planes of a place are");
-  return planes;
+std::uint64_t writeReadings(SqliteStatement& insert, PlaceId place,
+                            const std::vector<SonarReading>& readings) {
+  const std::vector<unsigned char> bytes = packReadings(readings);
+  insert.bind(place).bind(bytes.data(), bytes.size());
+  return finish(insert, checksumOf(place, bytes.data(), bytes.size()));
+}
+
+std::optional<std::vector<SonarReading>> readReadings(const SqliteStatement& row) {
+  const void* bytes = row.blob(1);
+  if (!checksumIs(row, 2, checksumOf(row.integer(0), bytes, row.size(1)))) return std::nullopt;
+  return unpackReadings(bytes, row.size(1));
 }
 
 }  // namespace place_memory::core

@@ -1,34 +1,51 @@
 #ifndef PLACE_MEMORY_CORE_STORE_STORE_ROWS_H
 #define PLACE_MEMORY_CORE_STORE_STORE_ROWS_H
 
-#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
-#include "core/grid/cell_planes.h"
 #include "core/store/sqlite.h"
 #include "place_memory/core/evidence_grid.h"
 #include "place_memory/core/place.h"
+#include "place_memory/core/place_map.h"
+#include "place_memory/core/sonar_reading.h"
 
 namespace place_memory::core {
 
-/// How many rows of a large store are gone through between two words on how far it has come.
-constexpr std::size_t kPlacesBetweenReports = std::size_t{1} << 16U;
+// How places, links, grids and readings lie in the rows of their tables. What is written returns
+// the row's checksum. What is read is nothing where the row is not as it was written, or says what
+// no map can hold.
 
-// How grids, and the bit planes that are made of them, lie in the tables of a store. Each row has a
-// checksum of its own, so that damage is found where it is read.
+/// Ids are lower: their links lie in rows by id << kLinkShift.
+constexpr PlaceId kPlaceIdLimit = PlaceId{1} << 42U;
+constexpr unsigned kLinkShift = 20;
 
-/// Makes rows of a place that has none yet.
-void insertGrid(SqliteDatabase& database, PlaceId place, const EvidenceGrid& grid);
-void insertPlanes(SqliteDatabase& database, PlaceId place, const CellPlanes& planes);
+inline constexpr char kPlaceColumns[] =
+    "id, identity, label, x, y, yaw, session, robot_x, robot_y, robot_yaw, learned_ns, checksum";
+inline constexpr char kLinkColumns[] =
+    "id, first_id, second_id, x, y, yaw, covariance, forward_succeeded, forward_failed, "
+    "forward_last_ns, backward_succeeded, backward_failed, backward_last_ns, checksum";
+inline constexpr char kGridColumns[] = "place_id, cells, checksum";
+inline constexpr char kReadingsColumns[] = "place_id, readings, checksum";
 
-/// Changes the rows of a place. Returns whether it has any.
-bool updateGrid(SqliteDatabase& database, PlaceId place, const EvidenceGrid& grid);
+struct LinkRow {
+  std::int64_t id = 0;
+  PlaceLink link;
+};
 
-/// The columns `checksum` and `cells` of the table grid, from `column` on. Throws StoreError where
-/// they are not as they were written.
-EvidenceGrid readGrid(const SqliteDatabase& database, const SqliteStatement& row, int column,
-                      double cell_size);
-/// The columns `checksum` and `cells` of the table planes, likewise.
-CellPlanes readPlanes(const SqliteDatabase& database, const SqliteStatement& row, int column);
+// `insert` is a statement "REPLACE INTO place VALUES(?, ...)" and so on, with all columns.
+std::uint64_t writePlace(SqliteStatement& insert, const Place& place);
+std::uint64_t writeLink(SqliteStatement& insert, const LinkRow& row);
+std::uint64_t writeGrid(SqliteStatement& insert, PlaceId place, const EvidenceGrid& grid);
+std::uint64_t writeReadings(SqliteStatement& insert, PlaceId place,
+                            const std::vector<SonarReading>& readings);
+
+// `row` stands on a row with all columns, in the order in which they are named above.
+std::optional<Place> readPlace(const SqliteStatement& row);
+std::optional<LinkRow> readLink(const SqliteStatement& row);
+std::optional<EvidenceGrid> readGrid(const SqliteStatement& row, double cell_size);
+std::optional<std::vector<SonarReading>> readReadings(const SqliteStatement& row);
 
 }  // namespace place_memory::core
 

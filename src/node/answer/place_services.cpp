@@ -6,15 +6,17 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <exception>
 
+#include "node/answer/answer_words.h"
+#include "node/answer/service_status.h"
 #include "node/conversions.h"
+#include "node/map/map_messages.h"
 #include "node/node_names.h"
+#include "node/ros_time.h"
 
 namespace place_memory::node {
 namespace {
-
-using Reason = core::PlaceMemoryError::Reason;
 
 // Two clients who ask at the same time are matched at the same time.
 constexpr std::uint32_t kMatchThreads = 2;
@@ -22,102 +24,38 @@ constexpr std::uint32_t kMatchThreads = 2;
 // Pi as people write it, such as 3.142, stands for pi.
 constexpr double kPiTolerance = 1e-3;
 
-constexpr char kNoScanMessage[] = "there is no scan: call the action ~scan first";
 constexpr char kNoTimeMessage[] =
     "use_sim_time is set, but no time has come on /clock yet: start what publishes it";
 
-// The status of each service for a refusal. What a service cannot run into is as good as a store
-// that failed: the map is as it was.
-template <class Response>
-std::uint8_t toStatus(Reason /*reason*/) {
-  return Response::STORE_FAILED;
-}
-
-template <>
-std::uint8_t toStatus<LearnPlace::Response>(Reason reason) {
-  switch (reason) {
-    case Reason::kLabelTaken:
-      return LearnPlace::Response::LABEL_TAKEN;
-    case Reason::kInvalidLabel:
-      return LearnPlace::Response::INVALID_LABEL;
-    case Reason::kInvalidScan:
-      return LearnPlace::Response::INVALID_SCAN;
-    default:
-      return LearnPlace::Response::STORE_FAILED;
-  }
-}
-
-template <>
-std::uint8_t toStatus<RenamePlace::Response>(Reason reason) {
-  switch (reason) {
-    case Reason::kLabelTaken:
-      return RenamePlace::Response::LABEL_TAKEN;
-    case Reason::kInvalidLabel:
-      return RenamePlace::Response::INVALID_LABEL;
-    case Reason::kUnknownPlace:
-      return RenamePlace::Response::UNKNOWN_PLACE;
-    default:
-      return RenamePlace::Response::STORE_FAILED;
-  }
-}
-
-template <>
-std::uint8_t toStatus<RemovePlace::Response>(Reason reason) {
-  return reason == Reason::kUnknownPlace ? RemovePlace::Response::UNKNOWN_PLACE
-                                         : RemovePlace::Response::STORE_FAILED;
-}
-
-// Makes a change of the map; where the memory refuses it, that is the answer.
-template <class Response, class Change>
-void change(Response& response, const Change& make_change) {
+// Whatever goes wrong is an answer, and ends nothing.
+template <class Response, class Answer>
+void guard(Response& response, const Answer& answer) {
   try {
-    make_change();
+    answer();
   } catch (const core::PlaceMemoryError& error) {
+    response = Response();
     response.status = toStatus<Response>(error.reason());
+    response.message = error.what();
+  } catch (const std::exception& error) {
+    response = Response();
+    response.status = Response::FAILED;
     response.message = error.what();
   }
 }
 
-// The newest scan; nullptr where there is none, which is then the answer.
+// The scan that a client asks for; nullptr where there is none, which is then the answer.
 template <class Response>
-std::shared_ptr<const core::Scan> takeScan(const NewestScan& newest, Response& response) {
+std::shared_ptr<const core::Scan> takeScan(const KeptScans& scans, std::uint64_t id,
+                                           Response& response) {
   if (!ros::Time::isValid()) {
     response.status = Response::NO_TIME;
     response.message = kNoTimeMessage;
     return nullptr;
   }
-  std::shared_ptr<const core::Scan> scan = newest.get();
-  if (!scan) {
-    response.status = Response::NO_SCAN;
-    response.message = kNoScanMessage;
-  }
-  return scan;
-}
-
-std::string quoted(const std::string& label) { return '"' + label + '"'; }
-
-std::string placesInWords(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " place" : " places");
-}
-
-std::string percent(double probability) {
-  return std::to_string(std::lround(100.0 * probability)) + " %";
-}
-
-std::string inWords(const core::LabelledRecognition& answer) {
-  const core::Recognition& found = answer.recognition;
-  if (found.matches.empty()) return "not recognised: no place was learned yet";
-  const std::string best = quoted(answer.labels.front()) + " with probability " +
-                           percent(found.matches.front().probability);
-  switch (found.verdict) {
-    case core::Verdict::kRecognized:
-      return "recognised " + best;
-    case core::Verdict::kAmbiguous:
-      return "ambiguous: the best of " + placesInWords(found.matches.size()) + " is " + best;
-    case core::Verdict::kUnknown:
-      break;
-  }
-  return "not recognised: the best of " + placesInWords(found.matches.size()) + " is " + best;
+  ScanChoice choice = scans.choose(id, rosNow());
+  response.status = toStatus<Response>(choice.problem);
+  response.message = choice.message;
+  return choice.scan;
 }
 
 }  // namespace
@@ -137,6 +75,7 @@ PlaceServices::PlaceServices(const ros::NodeHandle& private_node, const Context&
   advertise(edit_node, kRenamePlaceService, &PlaceServices::rename);
   advertise(edit_node, kRemovePlaceService, &PlaceServices::remove);
   advertise(edit_node, kClearService, &PlaceServices::clear);
+  advertise(edit_node, kGetGraphService, &PlaceServices::getGraph);
 
   match_spinner_.start();
   edit_spinner_.start();
@@ -153,25 +92,28 @@ void PlaceServices::advertise(ros::NodeHandle& node, const char* name,
                               void (PlaceServices::*answer)(const Request&, Response&)) {
   using Callback = boost::function<bool(Request&, Response&)>;
   const Callback callback = [this, answer](Request& request, Response& response) {
-    (this->*answer)(request, response);
+    guard(response, [&] { (this->*answer)(request, response); });
     return true;
   };
   servers_.push_back(node.advertiseService(name, callback));
 }
 
 void PlaceServices::learn(const LearnPlace::Request& request, LearnPlace::Response& response) {
-  const std::shared_ptr<const core::Scan> scan = takeScan(context_.scan, response);
+  const std::shared_ptr<const core::Scan> scan =
+      takeScan(context_.scans, request.scan_id, response);
   if (!scan) return;
-  change(response, [&] {
-    const core::Place place = context_.memory.learn(*scan, request.label);
-    context_.publisher.publishLearned(place.id);
-    response.place_id = place.id;
-    response.label = place.label;
-    response.message = "learned " + quoted(place.label);
-    if (!context_.store_problem.empty()) {
-      response.message += ", in memory only: " + context_.store_problem;
-    }
-  });
+  const core::PlaceMemory::Learned learned = context_.memory.learn(*scan, request.label);
+  context_.publisher.overtake();
+  response.place_id = learned.place.id;
+  response.label = learned.place.label;
+  response.session = learned.place.session;
+  response.apart = static_cast<std::uint8_t>(learned.apart);
+  response.message = "learned " + quoted(learned.place.label);
+  if (learned.apart) response.message += "; " + learned.message;
+  if (!context_.store_problem.empty()) {
+    response.message += ", in memory only: " + context_.store_problem;
+  }
+  ROS_INFO("Scan %lu: %s", static_cast<unsigned long>(scan->id), response.message.c_str());
 }
 
 void PlaceServices::recognize(const RecognizePlace::Request& request,
@@ -185,67 +127,61 @@ void PlaceServices::recognize(const RecognizePlace::Request& request,
     response.message = "heading_window must lie in [0, pi] radians";
     return;
   }
-  const std::shared_ptr<const core::Scan> scan = takeScan(context_.scan, response);
+  const std::shared_ptr<const core::Scan> scan =
+      takeScan(context_.scans, request.scan_id, response);
   if (!scan) return;
+  match(*scan, window, response);
+}
+
+void PlaceServices::match(const core::Scan& scan, double window,
+                          RecognizePlace::Response& response) {
   const auto is_cancelled = [this] { return cancelled_ || !ros::ok(); };
+  const auto start = std::chrono::steady_clock::now();
   try {
-    const auto start = std::chrono::steady_clock::now();
-    const core::LabelledRecognition answer = context_.memory.recognize(*scan, window, is_cancelled);
+    const core::PlaceMemory::Answer answer = context_.memory.recognize(scan, window, is_cancelled);
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
     response.recognition =
-        toMessage(answer, makeHeader(context_.parameters.map_frame, toRosTime(scan->end)),
+        toMessage(answer, makeHeader(context_.parameters.map_frame, toRosTime(scan.end)),
                   ros::Duration(duration.count()));
     response.message = inWords(answer);
-    adapt(*scan, answer);
-    context_.publisher.publishRecognition(*scan, answer, response.recognition);
+    context_.publisher.publish(scan, answer, response.recognition);
+    ROS_INFO("Scan %lu: %s", static_cast<unsigned long>(scan.id), response.message.c_str());
   } catch (const std::exception& error) {
-    response.status =
-        is_cancelled() ? RecognizePlace::Response::CANCELED : RecognizePlace::Response::FAILED;
+    if (!is_cancelled()) throw;
+    response.status = RecognizePlace::Response::CANCELED;
     response.message = error.what();
   }
 }
 
-// The answer stands whether or not the place can follow.
-void PlaceServices::adapt(const core::Scan& scan, const core::LabelledRecognition& answer) {
-  try {
-    if (context_.memory.adapt(scan, answer.recognition)) {
-      ROS_INFO("The scan was folded into %s", quoted(answer.labels.front()).c_str());
-    }
-  } catch (const core::PlaceMemoryError& error) {
-    ROS_WARN("The scan was not folded into %s: %s", quoted(answer.labels.front()).c_str(),
-             error.what());
-  }
-}
-
 void PlaceServices::list(const ListPlaces::Request& /*request*/, ListPlaces::Response& response) {
-  for (const core::Place& place : context_.memory.graph().places()) {
-    response.places.push_back(toMessage(place));
-  }
+  const core::MapSnapshot map = context_.memory.map();
+  response.places.reserve(map.places.size());
+  for (const core::Place& place : map.places) response.places.push_back(toMessage(place));
   response.message = placesInWords(response.places.size());
 }
 
+void PlaceServices::getGraph(const GetGraph::Request& /*request*/, GetGraph::Response& response) {
+  response.graph = toMessage(context_.memory.map(), context_.parameters.map_frame);
+  response.message = placesInWords(response.graph.places.size()) + ", " +
+                     std::to_string(response.graph.links.size()) + " links";
+}
+
 void PlaceServices::rename(const RenamePlace::Request& request, RenamePlace::Response& response) {
-  change(response, [&] {
-    context_.memory.rename(request.label, request.new_label);
-    context_.publisher.publishMap();
-    response.message = "renamed " + quoted(request.label) + " to " + quoted(request.new_label);
-  });
+  context_.memory.rename(request.label, request.new_label);
+  context_.publisher.publishCurrentPlace();
+  response.message = "renamed " + quoted(request.label) + " to " + quoted(request.new_label);
 }
 
 void PlaceServices::remove(const RemovePlace::Request& request, RemovePlace::Response& response) {
-  change(response, [&] {
-    context_.memory.remove(request.label);
-    context_.publisher.publishMap();
-    response.message = "removed " + quoted(request.label);
-  });
+  context_.memory.remove(request.label);
+  context_.publisher.publishCurrentPlace();
+  response.message = "removed " + quoted(request.label);
 }
 
 void PlaceServices::clear(const Clear::Request& /*request*/, Clear::Response& response) {
-  change(response, [&] {
-    const std::size_t count = context_.memory.clear();
-    context_.publisher.publishMap();
-    response.message = "removed " + placesInWords(count);
-  });
+  const std::size_t count = context_.memory.clear();
+  context_.publisher.overtake();
+  response.message = "removed " + placesInWords(count);
 }
 
 }  // namespace place_memory::node

@@ -2,12 +2,12 @@
 #define PLACE_MEMORY_NODE_ANSWER_PLACE_SERVICES_H
 
 #include <place_memory/Clear.h>
+#include <place_memory/GetGraph.h>
 #include <place_memory/LearnPlace.h>
 #include <place_memory/ListPlaces.h>
 #include <place_memory/RecognizePlace.h>
 #include <place_memory/RemovePlace.h>
 #include <place_memory/RenamePlace.h>
-#include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
 #include <ros/spinner.h>
@@ -17,8 +17,9 @@
 #include <vector>
 
 #include "config/parameters.h"
-#include "node/map/memory_publisher.h"
-#include "node/scan/newest_scan.h"
+#include "node/answer/answer_publisher.h"
+#include "node/answer/kept_scans.h"
+#include "node/guarded_queue.h"
 #include "place_memory/core/place_memory.h"
 
 namespace place_memory::node {
@@ -32,8 +33,8 @@ class PlaceServices {
   /// What the services work on; everything must outlive them.
   struct Context {
     core::PlaceMemory& memory;
-    MemoryPublisher& publisher;
-    const NewestScan& scan;
+    AnswerPublisher& publisher;
+    const KeptScans& scans;
     const config::Parameters& parameters;
     std::string store_problem;  ///< why places are not kept, a sentence for LearnPlace; empty: kept
   };
@@ -51,8 +52,9 @@ class PlaceServices {
 
   void learn(const LearnPlace::Request& request, LearnPlace::Response& response);
   void recognize(const RecognizePlace::Request& request, RecognizePlace::Response& response);
-  void adapt(const core::Scan& scan, const core::LabelledRecognition& answer);
+  void match(const core::Scan& scan, double window, RecognizePlace::Response& response);
   void list(const ListPlaces::Request& request, ListPlaces::Response& response);
+  void getGraph(const GetGraph::Request& request, GetGraph::Response& response);
   void rename(const RenamePlace::Request& request, RenamePlace::Response& response);
   void remove(const RemovePlace::Request& request, RemovePlace::Response& response);
   void clear(const Clear::Request& request, Clear::Response& response);
@@ -61,8 +63,8 @@ class PlaceServices {
   std::atomic<bool> cancelled_{false};
 
   // The spinners stop before the queues they work on go.
-  ros::CallbackQueue match_queue_;
-  ros::CallbackQueue edit_queue_;
+  GuardedQueue match_queue_{"matches"};
+  GuardedQueue edit_queue_{"edits"};
   std::vector<ros::ServiceServer> servers_;
   ros::AsyncSpinner match_spinner_;
   ros::AsyncSpinner edit_spinner_;

@@ -1,6 +1,6 @@
 #include "node/input/range_check.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -13,12 +13,6 @@ namespace {
 // Messages carry floats: pi as a float is above pi.
 constexpr double kWidest = core::kPi * (1.0 + 1e-6);
 
-constexpr std::array<const char*, kRejects> kWords = {
-    "range is NaN", "too close",  "below min_range", "above max_range",  "fixed distance",
-    "bad sensor",   "no stamp",   "old stamp",       "looks up or down", "no transform",
-    "no odometry",  "no heading", "scan is full",
-};
-
 CheckedRange rejected(Reject reject) {
   CheckedRange checked;
   checked.reject = reject;
@@ -27,16 +21,12 @@ CheckedRange rejected(Reject reject) {
 
 }  // namespace
 
-const char* toString(Reject reject) { return kWords.at(static_cast<std::size_t>(reject)); }
-
-std::optional<std::string> checkSensor(const sensor_msgs::Range& message) {
-  const double fov = message.field_of_view;
-  const double min = message.min_range;
-  const double max = message.max_range;
+std::optional<std::string> checkSpec(const core::SonarSpec& spec) {
+  const double fov = spec.field_of_view;
+  const double min = spec.min_range;
+  const double max = spec.max_range;
   std::ostringstream problem;
-  if (message.header.frame_id.empty()) {
-    problem << "header.frame_id is empty";
-  } else if (!(fov > 0.0 && fov <= kWidest)) {
+  if (!(fov > 0.0 && fov <= kWidest)) {
     problem << "field_of_view must be in (0, pi] rad, not " << fov;
   } else if (!(min >= 0.0 && std::isfinite(min))) {
     problem << "min_range must be finite and not negative, not " << min << " m";
@@ -50,26 +40,22 @@ std::optional<std::string> checkSensor(const sensor_msgs::Range& message) {
   return problem.str();
 }
 
-CheckedRange checkRange(const sensor_msgs::Range& message, bool over_range_is_no_echo) {
+CheckedRange checkRange(const core::SonarSpec& spec, double range, bool over_range_is_no_echo) {
   constexpr double kNoEcho = std::numeric_limits<double>::infinity();
-  if (checkSensor(message)) return rejected(Reject::kBadSensor);
-  if (message.header.stamp.isZero()) return rejected(Reject::kNoStamp);
-
   CheckedRange checked;
-  checked.range = message.range;
-  checked.spec.field_of_view = std::min<double>(message.field_of_view, core::kPi);
-  checked.spec.min_range = message.min_range;
-  checked.spec.max_range = message.max_range;
-  if (std::isnan(checked.range)) return rejected(Reject::kNan);
-  if (checked.range == -kNoEcho) return rejected(Reject::kTooClose);
-  if (message.min_range == message.max_range) {
-    if (checked.range != kNoEcho) return rejected(Reject::kFixedDistance);
+  checked.range = range;
+  checked.spec = spec;
+  checked.spec.field_of_view = std::min(spec.field_of_view, core::kPi);
+  if (std::isnan(range)) return rejected(Reject::kNan);
+  if (range == -kNoEcho) return rejected(Reject::kTooClose);
+  if (spec.min_range == spec.max_range) {
+    if (range != kNoEcho) return rejected(Reject::kFixedDistance);
     // It detects from its face on: the way to the one distance is free.
     checked.spec.min_range = 0.0;
     return checked;
   }
-  if (checked.range < checked.spec.min_range) return rejected(Reject::kBelowMinRange);
-  if (checked.range > checked.spec.max_range && checked.range != kNoEcho) {
+  if (range < spec.min_range) return rejected(Reject::kBelowMinRange);
+  if (range > spec.max_range && range != kNoEcho) {
     if (!over_range_is_no_echo) return rejected(Reject::kAboveMaxRange);
     checked.range = kNoEcho;
   }

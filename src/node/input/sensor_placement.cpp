@@ -1,17 +1,21 @@
 #include "node/input/sensor_placement.h"
 
-#include <tf2/exceptions.h>
+#include <exception>
+
+#include "node/conversions.h"
+#include "node/ros_time.h"
 
 namespace place_memory::node {
 
 std::optional<PlanarPose> lookupPlanar(const tf2::BufferCore& buffer, const std::string& target,
-                                       const std::string& source, const ros::Time& stamp,
+                                       const std::string& source, std::chrono::nanoseconds stamp,
                                        std::string& problem) {
   try {
-    const PlanarPose found = planar(buffer.lookupTransform(target, source, stamp).transform);
+    const PlanarPose found =
+        planar(buffer.lookupTransform(target, source, toRosTime(stamp)).transform);
     if (found.pose.isFinite()) return found;
     problem = "it is not finite";
-  } catch (const tf2::TransformException& error) {
+  } catch (const std::exception& error) {  // tf2's own, and those of ros::Time
     problem = error.what();
   }
   problem = "no transform from " + source + " to " + target + ": " + problem;
@@ -19,14 +23,15 @@ std::optional<PlanarPose> lookupPlanar(const tf2::BufferCore& buffer, const std:
 }
 
 std::optional<PlanarPose> lookupNewest(const tf2::BufferCore& buffer, const std::string& target,
-                                       const std::string& source, ros::Time& stamp) {
+                                       const std::string& source, std::chrono::nanoseconds& stamp) {
   try {
     const auto found = buffer.lookupTransform(target, source, ros::Time(0));
-    stamp = found.header.stamp;
-    return planar(found.transform);
-  } catch (const tf2::TransformException&) {
-    return std::nullopt;
+    stamp = toNanoseconds(found.header.stamp);
+    const PlanarPose pose = planar(found.transform);
+    if (pose.pose.isFinite()) return pose;
+  } catch (const std::exception&) {  // likewise
   }
+  return std::nullopt;
 }
 
 }  // namespace place_memory::node

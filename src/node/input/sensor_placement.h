@@ -1,9 +1,9 @@
 #ifndef PLACE_MEMORY_NODE_INPUT_SENSOR_PLACEMENT_H
 #define PLACE_MEMORY_NODE_INPUT_SENSOR_PLACEMENT_H
 
-#include <ros/time.h>
 #include <tf2/buffer_core.h>
 
+#include <chrono>
 #include <optional>
 #include <string>
 
@@ -14,12 +14,12 @@ namespace place_memory::node {
 /// Pose of the frame `source` in the frame `target` as seen from above. Never waits. Where tf does
 /// not know it, nothing, and `problem` names both frames and says why.
 std::optional<PlanarPose> lookupPlanar(const tf2::BufferCore& buffer, const std::string& target,
-                                       const std::string& source, const ros::Time& stamp,
+                                       const std::string& source, std::chrono::nanoseconds stamp,
                                        std::string& problem);
 
 /// The newest there is, and its stamp; nothing where tf knows none.
 std::optional<PlanarPose> lookupNewest(const tf2::BufferCore& buffer, const std::string& target,
-                                       const std::string& source, ros::Time& stamp);
+                                       const std::string& source, std::chrono::nanoseconds& stamp);
 
 }  // namespace place_memory::node
 

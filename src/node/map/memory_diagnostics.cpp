@@ -4,15 +4,21 @@
 
 namespace place_memory::node {
 
-void diagnoseMemory(const core::PlaceMemory& memory, const std::string& store_path,
-                    const std::string& store_problem,
+void diagnoseMemory(std::size_t places, const core::StoreHealth& health,
+                    const std::string& store_path, const std::string& store_problem,
                     diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
-  if (store_problem.empty()) {
-    status.summary(DiagnosticStatus::OK, std::to_string(memory.size()) + " places");
-  } else {
+  const std::string count = std::to_string(places) + (places == 1 ? " place" : " places");
+  if (!store_problem.empty()) {
     status.summary(DiagnosticStatus::ERROR, "places are kept in memory only: " + store_problem);
+  } else if (!health.ok) {
+    status.summary(DiagnosticStatus::ERROR,
+                   "the map cannot be changed, the last change was refused: " + health.problem +
+                       "; once that is mended, ask for the change again");
+  } else {
+    status.summary(DiagnosticStatus::OK, count);
   }
+  status.add("places", places);
   status.add("store", store_path.empty() ? "in memory only" : store_path);
 }
 

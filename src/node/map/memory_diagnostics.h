@@ -3,16 +3,17 @@
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
+#include <cstddef>
 #include <string>
 
 #include "place_memory/core/place_memory.h"
 
 namespace place_memory::node {
 
-/// ERROR with what is wrong with the store where `store_problem` is not empty, otherwise OK with
-/// the number of places; the path of the store.
-void diagnoseMemory(const core::PlaceMemory& memory, const std::string& store_path,
-                    const std::string& store_problem,
+/// The number of places, and how the store is. ERROR where it is not used, for the reason
+/// `store_problem`, and for as long as the newest change could not be written.
+void diagnoseMemory(std::size_t places, const core::StoreHealth& health,
+                    const std::string& store_path, const std::string& store_problem,
                     diagnostic_updater::DiagnosticStatusWrapper& status);
 
 }  // namespace place_memory::node

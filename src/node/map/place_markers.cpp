@@ -3,9 +3,11 @@
 #include <geometry_msgs/Point.h>
 #include <visualization_msgs/Marker.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
-
-#include "node/conversions.h"
+#include <vector>
 
 namespace place_memory::node {
 namespace {
@@ -19,6 +21,8 @@ constexpr double kLabelHeight = 0.5;
 // Above the grids, which rviz draws at the height of the frame, so that each stays visible.
 constexpr double kLinkLevel = 0.03;
 constexpr double kLabelLevel = 0.4;
+constexpr float kRegionAlpha = 0.35F;
+constexpr float kLinkAlpha = 0.9F;
 
 std_msgs::ColorRGBA color(float red, float green, float blue, float alpha) {
   std_msgs::ColorRGBA color;
@@ -27,6 +31,19 @@ std_msgs::ColorRGBA color(float red, float green, float blue, float alpha) {
   color.b = blue;
   color.a = alpha;
   return color;
+}
+
+// Blue for the first; neighbours in the row, and the first and the last, are easy to tell apart.
+std_msgs::ColorRGBA sessionColor(core::SessionId session, float alpha) {
+  constexpr std::array<std::array<float, 3>, 6> kColors{{{0.2F, 0.5F, 0.9F},
+                                                         {0.9F, 0.45F, 0.1F},
+                                                         {0.2F, 0.65F, 0.3F},
+                                                         {0.75F, 0.25F, 0.7F},
+                                                         {0.7F, 0.6F, 0.1F},
+                                                         {0.8F, 0.2F, 0.25F}}};
+  const auto number = static_cast<std::size_t>(std::max<core::SessionId>(session, 1) - 1);
+  const auto& [red, green, blue] = kColors[number % kColors.size()];
+  return color(red, green, blue, alpha);
 }
 
 Marker makeMarker(const std_msgs::Header& header, const std::string& name, int type,
@@ -42,62 +59,88 @@ Marker makeMarker(const std_msgs::Header& header, const std::string& name, int t
   return marker;
 }
 
-Marker makeRegion(const std_msgs::Header& header, const core::Place& place) {
-  Marker marker = makeMarker(header, "regions", Marker::CYLINDER, place.id);
-  marker.pose.position.x = place.map_from_place.x;
-  marker.pose.position.y = place.map_from_place.y;
+geometry_msgs::Point makePoint(const core::Place& place, double level) {
+  geometry_msgs::Point point;
+  point.x = place.map_from_place.x;
+  point.y = place.map_from_place.y;
+  point.z = level;
+  return point;
+}
+
+Marker makeRegions(const std_msgs::Header& header, const std::vector<core::Place>& places) {
+  Marker marker = makeMarker(header, "regions", Marker::SPHERE_LIST, 0);
   marker.scale.x = kRegionDiameter;
   marker.scale.y = kRegionDiameter;
   marker.scale.z = kRegionHeight;
-  marker.color = color(0.2F, 0.5F, 0.9F, 0.35F);
+  marker.color = sessionColor(1, kRegionAlpha);
+  for (const core::Place& place : places) {
+    marker.points.push_back(makePoint(place, 0.0));
+    marker.colors.push_back(sessionColor(place.session, kRegionAlpha));
+  }
   return marker;
 }
 
 Marker makeLabel(const std_msgs::Header& header, const core::Place& place) {
   Marker marker = makeMarker(header, "labels", Marker::TEXT_VIEW_FACING, place.id);
-  marker.pose.position.x = place.map_from_place.x;
-  marker.pose.position.y = place.map_from_place.y;
-  marker.pose.position.z = kLabelLevel;
+  marker.pose.position = makePoint(place, kLabelLevel);
   marker.scale.z = kLabelHeight;
   marker.color = color(0.05F, 0.1F, 0.4F, 1.0F);
   marker.text = place.label;
   return marker;
 }
 
-geometry_msgs::Point makePoint(const core::Place& place) {
-  geometry_msgs::Point point;
-  point.x = place.map_from_place.x;
-  point.y = place.map_from_place.y;
-  point.z = kLinkLevel;
-  return point;
+// Places are by rising id.
+const core::Place* find(const std::vector<core::Place>& places, core::PlaceId id) {
+  const auto at = std::lower_bound(
+      places.begin(), places.end(), id,
+      [](const core::Place& place, core::PlaceId wanted) { return place.id < wanted; });
+  return at == places.end() || at->id != id ? nullptr : &*at;
 }
 
-Marker makeLinks(const std_msgs::Header& header, const core::PlaceGraph& graph,
-                 const std::vector<core::PlaceLink>& links) {
+Marker makeLinks(const std_msgs::Header& header, const core::MapSnapshot& map) {
   Marker marker = makeMarker(header, "links", Marker::LINE_LIST, 0);
   marker.scale.x = kLinkWidth;
-  marker.color = color(0.1F, 0.3F, 0.7F, 0.9F);
-  for (const core::PlaceLink& link : links) {
-    marker.points.push_back(makePoint(*graph.find(link.first)));
-    marker.points.push_back(makePoint(*graph.find(link.second)));
+  marker.color = sessionColor(1, kLinkAlpha);
+  for (const core::PlaceLink& link : map.links) {
+    for (const core::PlaceId id : {link.first, link.second}) {
+      const core::Place& place = *find(map.places, id);
+      marker.points.push_back(makePoint(place, kLinkLevel));
+      marker.colors.push_back(sessionColor(place.session, kLinkAlpha));
+    }
   }
   return marker;
 }
 
+std::vector<const core::Place*> nearest(const std::vector<core::Place>& places,
+                                        const core::Pose2d& to, std::size_t count) {
+  std::vector<const core::Place*> found;
+  found.reserve(places.size());
+  for (const core::Place& place : places) found.push_back(&place);
+  if (found.size() <= count) return found;
+  const auto distance = [&to](const core::Place& place) {
+    return std::hypot(place.map_from_place.x - to.x, place.map_from_place.y - to.y);
+  };
+  std::nth_element(
+      found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end(),
+      [&](const core::Place* a, const core::Place* b) { return distance(*a) < distance(*b); });
+  found.resize(count);
+  return found;
+}
+
 }  // namespace
 
-visualization_msgs::MarkerArray toMarkers(const core::PlaceGraph& graph,
+visualization_msgs::MarkerArray toMarkers(const core::MapSnapshot& map,
+                                          const core::Pose2d& map_from_robot, std::size_t labels,
                                           const std_msgs::Header& header) {
   visualization_msgs::MarkerArray array;
   Marker& wipe = array.markers.emplace_back(makeMarker(header, "", Marker::CUBE, 0));
   wipe.action = Marker::DELETEALL;
-  for (const core::Place& place : graph.places()) {
-    array.markers.push_back(makeRegion(header, place));
-    array.markers.push_back(makeLabel(header, place));
+  // rviz reports a list without points as an error.
+  if (!map.places.empty()) array.markers.push_back(makeRegions(header, map.places));
+  for (const core::Place* place : nearest(map.places, map_from_robot, labels)) {
+    array.markers.push_back(makeLabel(header, *place));
   }
-  const std::vector<core::PlaceLink> links = graph.links();
-  // rviz reports a line list without points as an error.
-  if (!links.empty()) array.markers.push_back(makeLinks(header, graph, links));
+  if (!map.links.empty()) array.markers.push_back(makeLinks(header, map));
   return array;
 }
 

@@ -4,16 +4,22 @@
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "place_memory/core/place_graph.h"
+#include <cstddef>
+
+#include "place_memory/core/place_memory.h"
+#include "place_memory/core/pose2d.h"
 
 namespace place_memory::node {
 
-/// The map for rviz: the region of each place five feet across (paper 7) under `regions`, labels
-/// under `labels`, links under `links`; the id of a marker is its place's.
+/// The map for rviz, in few markers however many places there are: the regions of all places, five
+/// feet across (paper 7), are one list of spheres under `regions`, the links one list of lines
+/// under `links`. Each session has a colour. At most `labels` places, those nearest to the robot,
+/// have a label under `labels`, whose id is the place's.
 ///
 /// The first marker deletes all others, so that the latest array is the whole map for whoever gets
 /// it, and what was removed vanishes.
-visualization_msgs::MarkerArray toMarkers(const core::PlaceGraph& graph,
+visualization_msgs::MarkerArray toMarkers(const core::MapSnapshot& map,
+                                          const core::Pose2d& map_from_robot, std::size_t labels,
                                           const std_msgs::Header& header);
 
 }  // namespace place_memory::node

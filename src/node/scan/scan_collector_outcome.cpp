@@ -8,9 +8,9 @@
 // What has come of a scan, in words that a person can act on.
 namespace place_memory::node {
 
-ScanOutcome ScanCollector::outcome(const ros::Time& end) const {
+ScanOutcome ScanCollector::outcome(std::chrono::nanoseconds end) const {
   if (failure_) return *failure_;
-  if (placed_.size() < static_cast<std::size_t>(parameters_.scan.min_readings)) return tooFew();
+  if (readings() < static_cast<std::size_t>(parameters_.scan.min_readings)) return tooFew();
   auto scan = snapshot(end);
   if (!scan) {
     return {ScanStatus::kNoHeading,
@@ -18,29 +18,66 @@ ScanOutcome ScanCollector::outcome(const ros::Time& end) const {
                 ": a scan needs the compass, or whatever stands in for it, since its grid lies "
                 "along compass north" +
                 (scan_problem_.empty() ? "" : "; " + scan_problem_),
-            nullptr};
+            nullptr,
+            {}};
   }
+  scan->id = core::newScanId();
   std::ostringstream text;
-  text << placed_.size() << " readings at " << coverage_->headings() << " headings" << leftOut();
-  return {ScanStatus::kSucceeded, text.str(), std::make_shared<const core::Scan>(std::move(*scan))};
+  text << readings() << " readings at " << sweep_->coverage().headings() << " headings"
+       << leftOut();
+  return {ScanStatus::kSucceeded, text.str(), std::make_shared<const core::Scan>(std::move(*scan)),
+          scan_problem_};
+}
+
+std::optional<core::Scan> ScanCollector::snapshot(std::chrono::nanoseconds end) const {
+  if (readings() == 0) return std::nullopt;
+  const std::optional<double> offset = compassOffset();
+  if (!offset) return std::nullopt;
+  core::Scan scan = sweep_->scan(*offset, baseAtEnd(end), model_, parameters_.grid);
+  scan.begin = start_;
+  scan.end = end;
+  return scan;
+}
+
+std::optional<double> ScanCollector::compassOffset() const {
+  if (!locator_.usesOdometry()) return 0.0;
+  if (const auto mean = compass_offset_.mean()) return mean;
+  // A slow compass may not have spoken during a short scan.
+  const core::LocatedReading& first = sweep_->readings().front();
+  const std::optional<double> heading = history_.at(first.stamp);
+  if (!heading) return std::nullopt;
+  return *heading - first.fixed_from_base.yaw;
+}
+
+core::Pose2d ScanCollector::baseAtEnd(std::chrono::nanoseconds end) const {
+  std::string problem;
+  if (const auto base = locator_.baseAt(end, problem)) return *base;
+  // Odometry is a little older than the clock, and the robot may have turned since the last
+  // reading.
+  const core::LocatedReading& last = sweep_->readings().back();
+  if (locator_.usesOdometry()) {
+    const auto newest = locator_.newestBase();
+    if (newest && newest->stamp >= last.stamp) return newest->pose;
+  }
+  return last.fixed_from_base;
 }
 
 ScanOutcome ScanCollector::tooFew() const {
-  const auto most = std::max_element(rejected_.begin(), rejected_.end());
-  const auto reason = static_cast<Reject>(most - rejected_.begin());
+  const Reject reason = mostFrequent(rejected_);
+  const bool any_rejected = rejected_.at(static_cast<std::size_t>(reason)) > 0;
   ScanStatus status = ScanStatus::kTooFewReadings;
-  if (*most > 0 && reason == Reject::kNoHeading) status = ScanStatus::kNoHeading;
-  if (*most > 0 && reason == Reject::kNoOdometry) status = ScanStatus::kNoOdometry;
+  if (any_rejected && reason == Reject::kNoHeading) status = ScanStatus::kNoHeading;
+  if (any_rejected && reason == Reject::kNoOdometry) status = ScanStatus::kNoOdometry;
 
   std::ostringstream text;
-  text << placed_.size() << " readings can be used, " << parameters_.scan.min_readings
+  text << readings() << " readings can be used, " << parameters_.scan.min_readings
        << " are needed (scan/min_readings)" << leftOut();
-  if (placed_.empty() && *most == 0) {
+  if (readings() == 0 && !any_rejected) {
     text << "; is anything published on " << boost::algorithm::join(parameters_.sonar_topics, ", ")
          << "?";
   }
   if (!scan_problem_.empty()) text << "; " << scan_problem_;
-  return {status, text.str(), nullptr};
+  return {status, text.str(), nullptr, {}};
 }
 
 std::string ScanCollector::leftOut() const {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "config/parameters.h"
-#include "node/scan/sensor_health.h"
+#include "node/input/reject.h"
 
 namespace place_memory::node {
 

@@ -1,13 +1,15 @@
 #include "node/scan/scan_server.h"
 
 #include <geometry_msgs/Twist.h>
+#include <ros/console.h>
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
-#include "node/input/sensor_placement.h"
+#include "node/conversions.h"
 #include "node/node_names.h"
+#include "node/ros_time.h"
+#include "node/scan/scan_topics.h"
 
 namespace place_memory::node {
 namespace {
@@ -17,48 +19,60 @@ const ros::WallDuration kFeedbackPeriod(0.2);
 const ros::WallDuration kPartialPeriod(0.5);
 constexpr double kPartialShare = 20.0;  // partial grids take one part of so many of the time
 
-// A sweep is over when all of its headings were sensed and the sensors have been silent for so
-// long, and for twice as long as ever before in this scan, though not every one of them spoke at
-// the last heading.
-constexpr double kSilence = 0.5;  // [s]
-
 // The time the last messages need to get out of the process.
 const ros::WallDuration kLastMessages(0.1);
 
 constexpr std::uint32_t kQueueLength = 500;
 constexpr double kWarningPeriod = 5.0;  // [s]
 
+std::string whoSaysTheTime() {
+  return ros::Time::isSimTime() ? "on /clock" : "by the clock of this machine";
+}
+
 }  // namespace
 
 ScanServer::ScanServer(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
-                       const config::Parameters& parameters, tf2_ros::Buffer& buffer,
-                       Callbacks callbacks)
+                       const config::Parameters& parameters, tf2::BufferCore& buffer,
+                       TransformInput& transforms, Callbacks callbacks)
     : parameters_(parameters),
       buffer_(buffer),
+      transforms_(transforms),
       callbacks_(std::move(callbacks)),
-      collector_(parameters, buffer),
+      collector_(parameters, buffer, registry_),
+      clock_(toNanoseconds(parameters.time_jump_tolerance)),
+      queue_("scans", [this](const std::string& what) { onError(what); }),
       names_(names),
       private_names_(private_names) {
   names_.setCallbackQueue(&queue_);
   private_names_.setCallbackQueue(&queue_);
   command_publisher_ = names_.advertise<geometry_msgs::Twist>(kCommandTopic, 1);
-
-  server_ = std::make_unique<Server>(private_names_, kScanAction, false);
-  server_->registerGoalCallback([this](const Server::GoalHandle& goal) { onGoal(goal); });
-  server_->registerCancelCallback([this](const Server::GoalHandle& goal) { onCancel(goal); });
-  for (const std::string& topic : parameters_.sonar_topics) {
-    subscribers_.push_back(names_.subscribe(topic, kQueueLength, &ScanServer::onRange, this));
-  }
-  subscribers_.push_back(
-      names_.subscribe(parameters_.heading_topic, kQueueLength, &ScanServer::onHeading, this));
+  server_ = std::make_unique<ScanActionServer>(
+      ros::NodeHandle(private_names_, kScanAction),
+      [this](const GoalHandle& goal) { onGoal(goal); },
+      [this](const GoalHandle& goal) { onCancel(goal); });
+  subscribe();
   timer_ = names_.createSteadyTimer(kUpdatePeriod, &ScanServer::update, this);
-
   server_->start();
   spinner_ = std::make_unique<ros::AsyncSpinner>(1, &queue_);
   spinner_->start();
+  sayTopics(names_, parameters_);
 }
 
 ScanServer::~ScanServer() { stop(); }
+
+void ScanServer::subscribe() {
+  for (const std::string& topic : parameters_.sonar_topics) {
+    const RangeAdapter adapter(names_.resolveName(topic), parameters_.scan.over_range_is_no_echo,
+                               registry_);
+    const boost::function<void(const sensor_msgs::Range::ConstPtr&)> take =
+        [this, adapter](const sensor_msgs::Range::ConstPtr& message) {
+          onRange(adapter, *message);
+        };
+    subscribers_.push_back(names_.subscribe<sensor_msgs::Range>(topic, kQueueLength, take));
+  }
+  subscribers_.push_back(
+      names_.subscribe(parameters_.heading_topic, kQueueLength, &ScanServer::onHeading, this));
+}
 
 void ScanServer::stop() {
   if (!spinner_) return;
@@ -67,194 +81,122 @@ void ScanServer::stop() {
   timer_.stop();
   subscribers_.clear();
   if (sweep_) {
-    end({ScanStatus::kShutdown, "the node was stopped", nullptr}, ros::Time::now());
+    fail(ScanStatus::kShutdown, "the node was stopped", rosNow());
     kLastMessages.sleep();
   }
-  goal_ = Server::GoalHandle();
+  goal_ = GoalHandle();
   server_.reset();
   queue_.clear();
 }
 
-std::map<std::string, SensorHealth> ScanServer::health() const {
+InputHealth ScanServer::health() const {
+  InputHealth health;
+  for (const std::string& topic : parameters_.sonar_topics) {
+    health.sonar_topics.push_back(names_.resolveName(topic));
+  }
+  health.heading_topic = names_.resolveName(parameters_.heading_topic);
   const std::lock_guard<std::mutex> lock(mutex_);
-  return collector_.health().sensors();
+  health.sensors = collector_.sensorHealth();
+  health.compass = collector_.compassHealth();
+  return health;
 }
 
-void ScanServer::onRange(const sensor_msgs::Range::ConstPtr& message) {
+void ScanServer::onRange(const RangeAdapter& adapter, const sensor_msgs::Range& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  collector_.addRange(*message, ros::Time::now());
+  collector_.addReading(adapter.adapt(message), rosNow());
 }
 
 void ScanServer::onHeading(const sensor_msgs::Imu::ConstPtr& message) {
-  collector_.addHeading(*message, ros::Time::now());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  collector_.addHeading(*message, rosNow());
 }
 
-void ScanServer::onGoal(const Server::GoalHandle& goal) {
-  if (sweep_) end({ScanStatus::kCanceled, "a newer goal came", nullptr}, ros::Time::now());
-  goal_ = goal;
-  goal_.setAccepted();
-  sweep_.emplace();
-  timeRanBackwards(ros::Time::now());
-  clock_changed_ = ros::SteadyTime::now();
+void ScanServer::onGoal(const GoalHandle& goal) {
+  GoalHandle accepted = goal;
   std::string problem;
-  const auto request = readGoal(*goal_.getGoal(), parameters_.scan, problem);
+  const auto request = readGoal(*accepted.getGoal(), parameters_.scan, problem);
   if (!request) {
-    end({ScanStatus::kInvalidGoal, problem, nullptr}, clock_);
+    ScanPlaceResult result;
+    result.status = ScanPlaceResult::INVALID_GOAL;
+    result.message = problem;
+    accepted.setRejected(result, problem);
     return;
   }
-  sweep_->request = *request;
+  const std::chrono::nanoseconds now = rosNow();
+  if (sweep_) fail(ScanStatus::kCanceled, "a newer goal came", now);
+  goal_ = accepted;
+  goal_.setAccepted();
+  timeRanBackwards(now);
+  clock_.restart(steadyNow());
+  sweep_.emplace(*request, parameters_, collector_);
 }
 
-void ScanServer::onCancel(const Server::GoalHandle& goal) {
+void ScanServer::onCancel(const GoalHandle& goal) {
   if (!sweep_ || goal != goal_) return;
-  end({ScanStatus::kCanceled, "it was canceled", nullptr}, ros::Time::now());
+  fail(ScanStatus::kCanceled, "it was canceled", rosNow());
+}
+
+void ScanServer::onError(const std::string& what) {
+  if (!sweep_) return;
+  fail(ScanStatus::kFailed, "an error in the node: " + what + "; scan again", rosNow());
 }
 
 void ScanServer::update(const ros::SteadyTimerEvent& /*event*/) {
-  const ros::Time now = ros::Time::now();
-  const bool backwards = timeRanBackwards(now);
-  if (sweep_ && backwards) {
-    end({ScanStatus::kTimeJump, "time ran backwards: scan again", nullptr}, now);
+  const std::chrono::nanoseconds now = rosNow();
+  timeRanBackwards(now);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    collector_.process(now);
   }
-  if (sweep_ && !clockStands(now)) {
-    if (sweep_->started.isZero()) start(now);
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      collector_.process(now);
-    }
-    if (collector_.failure()) {
-      end(collector_.outcome(now), now);
-    } else if (now - sweep_->started > ros::Duration(sweep_->request.timeout)) {
-      timeOut(now);
-    } else if (sweep_->turner) {
-      turn(now);
-    } else {
-      listen(now);
-    }
-  }
+  if (sweep_) advance(now);
   if (sweep_) report(now);
+  const std::string transform_problem = transforms_.takeProblem();
+  if (!transform_problem.empty()) collector_.noteProblem(transform_problem);
   const std::string problem = collector_.takeProblem();
   if (!problem.empty()) ROS_WARN_STREAM_THROTTLE(kWarningPeriod, problem);
 }
 
-bool ScanServer::timeRanBackwards(const ros::Time& now) {
-  const bool clock_did = now < clock_;
-  if (now != clock_) clock_changed_ = ros::SteadyTime::now();
-  clock_ = now;
-  if (clock_did) collector_.forgetTime();
-  if (!collector_.takeTimeJump() && !clock_did) return false;
+void ScanServer::advance(std::chrono::nanoseconds now) {
+  if (toSeconds(clock_.standing(steadyNow())) > sweep_->request().timeout) {
+    fail(ScanStatus::kNoTime,
+         "simulated time stands still: is anything published on /clock? (use_sim_time is set)",
+         now);
+    return;
+  }
+  const Sweep::Step step = sweep_->update(now);
+  if (step.rate) command(*step.rate);
+  if (step.outcome) end(*step.outcome, now);
+}
+
+bool ScanServer::timeRanBackwards(std::chrono::nanoseconds now) {
+  const std::chrono::nanoseconds behind = clock_.observe(now, steadyNow());
+  if (behind.count() == 0) return false;
+  if (!clock_.jumped(behind)) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    collector_.stepBack(behind);
+    return false;
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    collector_.forgetTime();
+  }
   buffer_.clear();
-  ROS_WARN("time ran backwards: transforms of the time before are forgotten, places are kept");
+  const std::string what = "time ran backwards by " + inSeconds(behind) + ' ' + whoSaysTheTime();
+  ROS_WARN("%s: transforms of the time before are forgotten, places are kept", what.c_str());
+  if (sweep_) fail(ScanStatus::kTimeJump, what + ": scan again", now);
   if (callbacks_.time_jump) callbacks_.time_jump();
   return true;
 }
 
-bool ScanServer::clockStands(const ros::Time& now) {
-  const ros::WallDuration standing = ros::SteadyTime::now() - clock_changed_;
-  if (standing > ros::WallDuration(sweep_->request.timeout)) {
-    end({ScanStatus::kNoTime,
-         "simulated time stands still: is anything published on /clock? (use_sim_time is set)",
-         nullptr},
-        now);
-    return true;
-  }
-  return now.isZero();
-}
-
-void ScanServer::start(const ros::Time& now) {
-  const ScanRequest& request = sweep_->request;
-  sweep_->started = sweep_->last_reading = now;
-  if (request.turn == config::Turn::kCmdVel) {
-    const int headings = core::SweepCoverage(request.headings, request.step).target();
-    sweep_->turner.emplace(headings, request.step, parameters_.scan.turn_rate);
-  } else {
-    collector_.begin(now, request.headings, request.step);
-  }
-}
-
-void ScanServer::listen(const ros::Time& now) {
-  if (collector_.readings() != sweep_->readings) {
-    sweep_->readings = collector_.readings();
-    sweep_->last_reading = now;
-  }
-  const double silence = (now - sweep_->last_reading).toSec();
-  if (collector_.readings() < static_cast<std::size_t>(parameters_.scan.min_readings)) return;
-  const core::SweepCoverage& coverage = collector_.coverage();
-  const bool silent = silence > std::max(kSilence, 2.0 * collector_.longestGap());
-  if (coverage.done() || (silent && coverage.headings() >= coverage.target())) {
-    end(collector_.outcome(now), now);
-  }
-}
-
-void ScanServer::turn(const ros::Time& now) {
-  const std::optional<double> yaw = yawNow(now);
-  if (!yaw) {
-    const bool may_come = now - sweep_->started <= ros::Duration(parameters_.scan.heading_timeout);
-    if (may_come && !moving_) return;
-    const bool odometry = !parameters_.odom_frame.empty();
-    end({odometry ? ScanStatus::kNoOdometry : ScanStatus::kNoHeading,
-         odometry ? "the robot was stopped: no fresh transform from " + parameters_.base_frame +
-                        " to " + parameters_.odom_frame
-                  : "the robot was stopped: no fresh heading on " + parameters_.heading_topic,
-         nullptr},
-        now);
-    return;
-  }
-  core::SweepTurner& turner = *sweep_->turner;
-  const int completed = collector_.collecting() ? collector_.coverage().completed() : 0;
-  command(turner.update(*yaw, completed));
-  if (turner.started() && !collector_.collecting()) {
-    collector_.begin(now, sweep_->request.headings, sweep_->request.step);
-  }
-  if (turner.swept()) collector_.close();
-  if (turner.done()) end(collector_.outcome(now), now);
-}
-
-std::optional<double> ScanServer::yawNow(const ros::Time& now) const {
-  ros::Time stamp;
-  double yaw = 0.0;
-  if (parameters_.odom_frame.empty()) {
-    const auto newest = collector_.headings().newest();
-    if (!newest) return std::nullopt;
-    stamp.fromNSec(static_cast<std::uint64_t>(newest->stamp.count()));
-    yaw = newest->yaw;
-  } else {
-    const auto base = lookupNewest(buffer_, parameters_.odom_frame, parameters_.base_frame, stamp);
-    if (!base) return std::nullopt;
-    yaw = base->pose.yaw;
-  }
-  if (now.toSec() - stamp.toSec() > parameters_.scan.heading_timeout) return std::nullopt;
-  return yaw;
-}
-
-void ScanServer::timeOut(const ros::Time& now) {
-  if (moving_) command(0.0);
-  const int wanted = sweep_->request.headings;
-  const int sensed = collector_.collecting() ? collector_.coverage().headings() : 0;
-  ScanOutcome outcome{ScanStatus::kTimeout, "the robot never came to the first heading", nullptr};
-  if (collector_.collecting()) outcome = collector_.outcome(now);
-
-  std::ostringstream text;
-  text << "not over after " << sweep_->request.timeout << " s: " << sensed << " of " << wanted
-       << " headings were sensed; " << outcome.message;
-  if (sensed == 1 && wanted > 1 && !sweep_->turner) {
-    text << "; nothing turned the robot: let the node do it (turn), or ask for 1 heading";
-  }
-  const bool only_few =
-      outcome.status == ScanStatus::kTooFewReadings && sensed >= collector_.coverage().target();
-  const bool said_why = only_few || outcome.status == ScanStatus::kNoHeading ||
-                        outcome.status == ScanStatus::kNoOdometry;
-  end({said_why ? outcome.status : ScanStatus::kTimeout, text.str(), nullptr}, now);
-}
-
-void ScanServer::report(const ros::Time& now) {
+void ScanServer::report(std::chrono::nanoseconds now) {
   const ros::SteadyTime steady = ros::SteadyTime::now();
   if (steady - last_feedback_ >= kFeedbackPeriod) {
     last_feedback_ = steady;
     ScanPlaceFeedback feedback;
     if (collector_.collecting()) {
-      feedback.fraction = static_cast<float>(collector_.coverage().fraction());
-      feedback.headings = static_cast<std::uint32_t>(collector_.coverage().headings());
+      const core::SweepCoverage& coverage = collector_.sweep().coverage();
+      feedback.fraction = static_cast<float>(coverage.fraction());
+      feedback.headings = static_cast<std::uint32_t>(coverage.headings());
       feedback.readings = static_cast<std::uint32_t>(collector_.readings());
       feedback.rejected = toMessage(collector_.rejected());
     }
@@ -268,7 +210,11 @@ void ScanServer::report(const ros::Time& now) {
   }
 }
 
-void ScanServer::end(const ScanOutcome& outcome, const ros::Time& now) {
+void ScanServer::fail(ScanStatus status, const std::string& message, std::chrono::nanoseconds now) {
+  end({status, message, nullptr, {}}, now);
+}
+
+void ScanServer::end(const ScanOutcome& outcome, std::chrono::nanoseconds now) {
   if (moving_) command(0.0);
   moving_ = false;
 
@@ -278,12 +224,14 @@ void ScanServer::end(const ScanOutcome& outcome, const ros::Time& now) {
   result.readings = static_cast<std::uint32_t>(collector_.readings());
   result.rejected = toMessage(collector_.rejected());
   if (collector_.collecting()) {
-    result.headings = static_cast<std::uint32_t>(collector_.coverage().headings());
+    result.headings = static_cast<std::uint32_t>(collector_.sweep().coverage().headings());
   }
-  result.begin = sweep_->started;
-  result.end = now;
+  result.begin = toRosTime(sweep_->started());
+  result.end = toRosTime(now);
+  if (outcome.scan) result.scan_id = outcome.scan->id;
   collector_.drop();
   sweep_.reset();
+  sayOutcome(outcome);
 
   if (outcome.scan) {
     if (callbacks_.finished) callbacks_.finished(outcome.scan);

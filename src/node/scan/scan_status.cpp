@@ -26,6 +26,8 @@ const char* toString(ScanStatus status) {
       return "shutdown";
     case ScanStatus::kNoOdometry:
       return "no_odometry";
+    case ScanStatus::kFailed:
+      return "failed";
   }
   return "unknown";
 }

@@ -24,6 +24,7 @@ enum class ScanStatus : std::uint8_t {
   kNoTime = ScanPlaceResult::NO_TIME,
   kShutdown = ScanPlaceResult::SHUTDOWN,
   kNoOdometry = ScanPlaceResult::NO_ODOMETRY,
+  kFailed = ScanPlaceResult::FAILED,
 };
 
 /// One word, e.g. "too_few_readings"; of success "ok".
@@ -33,6 +34,8 @@ struct ScanOutcome {
   ScanStatus status = ScanStatus::kSucceeded;
   std::string message;                     ///< a sentence a person can act on
   std::shared_ptr<const core::Scan> scan;  ///< where it succeeded, otherwise null
+  /// Where it succeeded: what was wrong with an input all the same, in a sentence; empty: nothing.
+  std::string problem;
 };
 
 }  // namespace place_memory::node

@@ -1,46 +1,62 @@
 #ifndef PLACE_MEMORY_NODE_SCAN_SENSOR_HEALTH_H
 #define PLACE_MEMORY_NODE_SCAN_SENSOR_HEALTH_H
 
-#include <ros/time.h>
-
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
+#include <vector>
 
-#include "node/input/range_check.h"
+#include "core/sensing/measurement.h"
+#include "core/sensing/recent_count.h"
+#include "node/input/adapted_reading.h"
+#include "node/input/sensor_registry.h"
 
 namespace place_memory::node {
 
-using RejectCounts = std::array<std::uint32_t, kRejects>;
+/// A sensor that has sent nothing for so long is silent.
+constexpr std::chrono::nanoseconds kSensorSilence = std::chrono::seconds(5);
 
-/// The counts that are not 0, e.g. "2 no stamp, 1 no heading"; empty where all are.
-std::string inWords(const RejectCounts& rejected);
-
-/// What came of one sensor's messages since the node started.
+/// How one sensor is.
 struct SensorHealth {
-  std::uint64_t messages = 0;
-  RejectCounts rejected{};
-  ros::Time last_received;
-  std::string sensor_problem;  ///< what is wrong with its limits; empty: nothing
+  std::string name;  ///< for people
+  std::string topic;
+  std::string frame;                   ///< empty: unknown
+  std::uint32_t messages = 0;          ///< within the last ten seconds
+  RejectCounts rejected{};             ///< likewise
+  std::chrono::nanoseconds silent{0};  ///< since its newest message
+  std::string sensor_problem;          ///< what is wrong with its limits; empty: nothing
 };
 
-/// Health of the sensors by frame_id. Frames beyond kMaxSensors share one entry, so that messages
-/// with ever new frames take no memory.
+/// What comes of the sensors' messages. `now` is a time that never goes back.
 class SensorHealthTable {
  public:
-  static constexpr std::size_t kMaxSensors = 256;
-  static constexpr char kOthers[] = "(other frames)";
+  void noteMessage(const AdaptedReading& reading, std::chrono::nanoseconds now);
+  void noteReject(core::SensorId sensor, Reject reject, std::chrono::nanoseconds now);
 
-  void noteMessage(const sensor_msgs::Range& message, const ros::Time& received);
-  void noteReject(const std::string& frame, Reject reject);
-
-  const std::map<std::string, SensorHealth>& sensors() const { return sensors_; }
+  /// The sensors with a name that were heard so short a time ago.
+  std::set<core::SensorId> heardWithin(std::chrono::nanoseconds time,
+                                       std::chrono::nanoseconds now) const;
+  /// Every sensor but those that fell silent when another one spoke up on their topic for the first
+  /// time: their frame was corrected.
+  std::vector<SensorHealth> report(const SensorRegistry& registry,
+                                   std::chrono::nanoseconds now) const;
 
  private:
-  SensorHealth& find(const std::string& frame);
+  struct Sensor {
+    std::chrono::nanoseconds first{0};
+    std::chrono::nanoseconds newest{0};
+    core::RecentCount messages;
+    std::array<core::RecentCount, kRejects> rejected{};
+    std::string problem;
+  };
 
-  std::map<std::string, SensorHealth> sensors_;
+  bool isReplaced(core::SensorId sensor, const SensorRegistry& registry,
+                  std::chrono::nanoseconds now) const;
+
+  std::map<core::SensorId, Sensor> sensors_;
 };
 
 }  // namespace place_memory::node

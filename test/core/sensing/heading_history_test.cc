@@ -66,13 +66,15 @@ TEST(HeadingHistory, DropsALateSample) {
   EXPECT_NEAR(history.at(milliseconds(10500)).value(), 0.5, 1e-12);
 }
 
-TEST(HeadingHistory, ForgetsEverythingWhereTimeRunsBackwards) {
+TEST(HeadingHistory, LeavesAStaleSampleOut) {
   HeadingHistory history(seconds(5));
   history.add(seconds(100), 1.0);
   EXPECT_EQ(history.add(seconds(10), 2.0), TimeOrder::kBackwards);
   EXPECT_EQ(history.size(), 1U);
-  EXPECT_NEAR(history.at(seconds(10)).value(), 2.0, 1e-12);
-  EXPECT_FALSE(history.at(seconds(100)));
+  EXPECT_NEAR(history.at(seconds(100)).value(), 1.0, 1e-12);
+  EXPECT_FALSE(history.at(seconds(10)));
+  EXPECT_EQ(history.add(seconds(101), 1.2), TimeOrder::kForward);
+  EXPECT_NEAR(history.at(milliseconds(100500)).value(), 1.1, 1e-12);
 }
 
 TEST(HeadingHistory, ReplacesASampleOfTheSameStamp) {

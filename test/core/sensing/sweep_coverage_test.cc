@@ -8,9 +8,10 @@ namespace place_memory::core {
 namespace {
 
 constexpr double kStep = kPi / 90.0;
+constexpr SensorId kSlow = 77;
 
 void addSet(SweepCoverage& coverage, int sensors, double yaw) {
-  for (int k = 0; k < sensors; ++k) coverage.add("sonar_" + std::to_string(k), yaw);
+  for (int k = 0; k < sensors; ++k) coverage.add(static_cast<SensorId>(k), yaw);
 }
 
 TEST(SweepCoverage, StartsWithNothing) {
@@ -50,10 +51,10 @@ TEST(SweepCoverage, AtAStandstillTakesEverySensorOnce) {
 }
 
 TEST(SweepCoverage, WaitsForTheSlowSensorsThatItKnows) {
-  SweepCoverage coverage(1, kStep, {"sonar_0", "sonar_1", "slow"});
+  SweepCoverage coverage(1, kStep, {0, 1, kSlow});
   for (int set = 0; set < 10; ++set) addSet(coverage, 2, 0.0);
   EXPECT_FALSE(coverage.done());
-  coverage.add("slow", 0.0);
+  coverage.add(kSlow, 0.0);
   EXPECT_TRUE(coverage.done());
 }
 
@@ -67,13 +68,38 @@ TEST(SweepCoverage, WaitsAtEachHeadingForTheSensorsHeardBefore) {
 }
 
 TEST(SweepCoverage, ASensorWhoseReadingsCannotBeUsedHasHadItsTurn) {
-  SweepCoverage coverage(1, kStep, {"sonar_0", "useless"});
-  coverage.skip("useless");
+  SweepCoverage coverage(1, kStep, {0, kSlow});
+  coverage.skip(kSlow);
   EXPECT_EQ(coverage.headings(), 0) << "no reading was used";
   addSet(coverage, 1, 0.0);
   addSet(coverage, 1, 0.0);
   EXPECT_FALSE(coverage.done());
-  coverage.skip("useless");
+  coverage.skip(kSlow);
+  EXPECT_TRUE(coverage.done());
+}
+
+TEST(SweepCoverage, ASensorThatIsNotWaitedForChangesNothingWhereItIsSkipped) {
+  SweepCoverage coverage(1, kStep);
+  addSet(coverage, 2, 0.0);
+  for (int i = 0; i < 3; ++i) coverage.skip(kSlow);
+  EXPECT_FALSE(coverage.done()) << "a sensor that is unknown has no turn";
+  addSet(coverage, 1, 0.0);
+  EXPECT_TRUE(coverage.done()) << "and is not waited for";
+}
+
+TEST(SweepCoverage, BeforeTheFirstReadingNobodyHasHadATurn) {
+  SweepCoverage coverage(1, kStep, {0, kSlow});
+  coverage.skip(kSlow);
+  coverage.skip(kSlow);
+  addSet(coverage, 1, 0.0);
+  EXPECT_FALSE(coverage.done());
+}
+
+TEST(SweepCoverage, TwentyTurnsOfAnotherAreTheEndOfWaitingAndNineteenAreNot) {
+  SweepCoverage coverage(1, kStep, {0, kSlow});
+  for (int set = 0; set < 19; ++set) addSet(coverage, 1, 0.0);
+  EXPECT_FALSE(coverage.done());
+  addSet(coverage, 1, 0.0);
   EXPECT_TRUE(coverage.done());
 }
 

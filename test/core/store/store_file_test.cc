@@ -80,7 +80,7 @@ TEST_F(PlaceStoreTest, OfManyThatCreateItAtOnceOneHasIt) {
     all_tried = true;
     for (std::thread& thread : threads) thread.join();
     EXPECT_EQ(held, 1);
-    EXPECT_EQ(PlaceStore(path, kDefaultCellSize).graph().size(), 1U);
+    EXPECT_EQ(PlaceStore(path, kDefaultCellSize).map().size(), 1U);
   }
   EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(path_).parent_path()), {}), 3);
 }
@@ -101,7 +101,7 @@ TEST_F(PlaceStoreTest, RefusesChangesWhereTheFileWasDeleted) {
   fs::remove(path_);
   EXPECT_THROW(store.add(makePlace("d"), makeGrid(4), kNoPlace), StoreError);
   EXPECT_THROW(store.rename(1, "e"), StoreError);
-  EXPECT_EQ(store.graph().size(), 3U);
+  EXPECT_EQ(store.map().size(), 3U);
 }
 
 TEST_F(PlaceStoreTest, RefusesChangesWhereAnotherFileStandsInThePlace) {
@@ -110,7 +110,7 @@ TEST_F(PlaceStoreTest, RefusesChangesWhereAnotherFileStandsInThePlace) {
   fs::rename(path_, folder_.file("elsewhere.db"));
   fill();
   EXPECT_THROW(store.remove(1), StoreError);
-  EXPECT_EQ(open().graph().size(), 3U);
+  EXPECT_EQ(open().map().size(), 3U);
 }
 
 /// While it lives files are reached as by a user who owns none of them; root may write everything.
@@ -134,7 +134,7 @@ TEST_F(PlaceStoreTest, RefusesAFileThatCannotBeWritten) {
 TEST_F(PlaceStoreTest, AFileThatIsOnlyReadStaysAsItIs) {
   fill();
   const std::string before = readFile(path_);
-  open().graph();
+  open().map();
   EXPECT_EQ(readFile(path_), before);
 }
 

@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "node/input/range_adapter.h"
+#include "node/ros_time.h"
 #include "node/scan/scan_collector.h"
 
 namespace place_memory::node {
@@ -50,11 +52,11 @@ class ScanCollectorTest : public testing::Test {
   }
 
   ScanCollector& collector() {
-    if (!collector_) collector_.emplace(parameters_, buffer_);
+    if (!collector_) collector_.emplace(parameters_, buffer_, registry_);
     return *collector_;
   }
 
-  void begin(int headings = 11) { collector().begin(ros::Time(kStart), headings, kStep); }
+  void begin(int headings = 11) { collector().begin(toNanoseconds(kStart), headings, kStep); }
 
   void odometry(double stamp, const core::Pose2d& pose) {
     buffer_.setTransform(transform("odom", "base_link", pose, stamp), "test");
@@ -65,7 +67,7 @@ class ScanCollectorTest : public testing::Test {
     m.header.stamp = ros::Time(stamp);
     m.orientation.z = std::sin(yaw / 2);
     m.orientation.w = std::cos(yaw / 2);
-    collector().addHeading(m, ros::Time(stamp));
+    addHeading(m, stamp);
   }
 
   void range(double stamp, int sensor, double value) {
@@ -80,14 +82,31 @@ class ScanCollectorTest : public testing::Test {
     m.min_range = 0.1F;
     m.max_range = 4.0F;
     m.range = static_cast<float>(value);
-    collector().addRange(m, ros::Time(received));
+    addRange(m, received);
   }
 
-  void process(double now) { collector().process(ros::Time(now)); }
+  void addHeading(const sensor_msgs::Imu& message, double received) {
+    collector().addHeading(message, toNanoseconds(received));
+  }
+
+  void addRange(const sensor_msgs::Range& message, double received) {
+    const RangeAdapter adapter("/sonar", parameters_.scan.over_range_is_no_echo, registry_);
+    collector().addReading(adapter.adapt(message), toNanoseconds(received));
+  }
+
+  SensorHealth health(const std::string& name) {
+    for (const SensorHealth& sensor : collector().sensorHealth()) {
+      if (sensor.name == name) return sensor;
+    }
+    ADD_FAILURE() << "no sensor " << name;
+    return {};
+  }
+
+  void process(double now) { collector().process(toNanoseconds(now)); }
 
   ScanOutcome outcomeAfter(double seconds) {
     process(kStart + seconds);
-    return collector().outcome(ros::Time(kStart + seconds));
+    return collector().outcome(toNanoseconds(kStart + seconds));
   }
 
   // The robot turns at 0.2 rad/s from a yaw while its sensors fire in turn; the compass reads
@@ -106,6 +125,7 @@ class ScanCollectorTest : public testing::Test {
 
   config::Parameters parameters_;
   tf2::BufferCore buffer_{ros::Duration(1000.0)};
+  SensorRegistry registry_;
   std::optional<ScanCollector> collector_;
 };
 

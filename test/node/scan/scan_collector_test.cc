@@ -7,7 +7,7 @@
 namespace place_memory::node {
 namespace {
 
-TEST_F(ScanCollectorTest, PlacesAReadingByTfAndCompass) {
+TEST_F(ScanCollectorTest, LocatesAReadingByTfAndCompass) {
   begin();
   for (const double t : {0.0, 1.0}) {
     odometry(kStart + t, {3.0, -1.0, 0.5});
@@ -58,7 +58,7 @@ TEST_F(ScanCollectorTest, HeadingAloneGivesTheSameScanAsOdometry) {
   EXPECT_EQ(by_heading.scan->odom_from_scan.x, 0.0);
 }
 
-TEST_F(ScanCollectorTest, EachReadingIsPlacedAtItsOwnStamp) {
+TEST_F(ScanCollectorTest, EachReadingIsLocatedAtItsOwnStamp) {
   begin();
   turnAndSense(0.0, 0.0);
   const ScanOutcome outcome = outcomeAfter(2.1);
@@ -75,8 +75,8 @@ TEST_F(ScanCollectorTest, CountsHeadings) {
   begin();
   turnAndSense(0.0, 0.0);
   process(kStart + 2.1);
-  EXPECT_EQ(collector().coverage().headings(), 12) << "0.4 rad in steps of 2 degrees";
-  EXPECT_TRUE(collector().coverage().done());
+  EXPECT_EQ(collector().sweep().coverage().headings(), 12) << "0.4 rad in steps of 2 degrees";
+  EXPECT_TRUE(collector().sweep().coverage().done());
 }
 
 TEST_F(ScanCollectorTest, ASlantedSonarIsSeenFromAbove) {
@@ -126,8 +126,7 @@ TEST_F(ScanCollectorTest, CountsWhatItLeavesOutByReason) {
   EXPECT_EQ(count(collector(), Reject::kAboveMaxRange), 1U);
   ASSERT_TRUE(outcome.scan);
   EXPECT_NE(outcome.message.find("2 range is NaN"), std::string::npos) << outcome.message;
-  const SensorHealth& health = collector().health().sensors().at("sonar_0");
-  EXPECT_EQ(health.rejected.at(static_cast<std::size_t>(Reject::kNan)), 2U);
+  EXPECT_EQ(health("sonar_0").rejected.at(static_cast<std::size_t>(Reject::kNan)), 2U);
 }
 
 TEST_F(ScanCollectorTest, ReadingsFromBeforeTheScanAreNotOfIt) {
@@ -224,7 +223,7 @@ TEST_F(ScanCollectorTest, AHeadingFromTheFutureIsLeftOut) {
   sensor_msgs::Imu m;
   m.header.stamp = ros::Time(kStart + 1000);
   m.orientation.w = 1.0;
-  collector().addHeading(m, ros::Time(kStart));
+  addHeading(m, kStart);
   EXPECT_EQ(collector().headings().size(), 0U);
   EXPECT_NE(collector().takeProblem(), "");
 }
@@ -234,20 +233,80 @@ TEST_F(ScanCollectorTest, TheRobotIsWhereNewestOdometryHasItWhenTheScanEnds) {
   turnAndSense(0.0, 0.0);
   odometry(kStart + 3.0, {3.0, -1.0, 0.1});  // it has turned back
   process(kStart + 3.02);
-  const ScanOutcome outcome = collector().outcome(ros::Time(kStart + 3.02));
+  const ScanOutcome outcome = collector().outcome(toNanoseconds(kStart + 3.02));
   ASSERT_TRUE(outcome.scan) << outcome.message;
   EXPECT_NEAR(outcome.scan->robot_in_scan.yaw, 0.1, 1e-6);
 }
 
 TEST_F(ScanCollectorTest, ASnapshotGrowsIntoTheScan) {
   begin();
-  EXPECT_FALSE(collector().snapshot(ros::Time(kStart)));
+  EXPECT_FALSE(collector().snapshot(toNanoseconds(kStart)));
   turnAndSense(0.0, 0.0);
   const ScanOutcome outcome = outcomeAfter(2.1);
-  const auto snapshot = collector().snapshot(ros::Time(kStart + 2.1));
+  const auto snapshot = collector().snapshot(toNanoseconds(kStart + 2.1));
   ASSERT_TRUE(snapshot);
   ASSERT_TRUE(outcome.scan);
   EXPECT_TRUE(snapshot->grid == outcome.scan->grid);
+}
+
+TEST_F(ScanCollectorTest, EveryScanHasANumberOfItsOwn) {
+  begin();
+  turnAndSense(0.0, 0.0);
+  const ScanOutcome first = outcomeAfter(2.1);
+  begin();
+  turnAndSense(0.0, 0.0);
+  const ScanOutcome second = outcomeAfter(2.1);
+  ASSERT_TRUE(first.scan && second.scan);
+  EXPECT_GT(first.scan->id, 0U);
+  EXPECT_GT(second.scan->id, first.scan->id);
+}
+
+TEST_F(ScanCollectorTest, TheOffsetOfTheCompassIsThatOfTheScanAlone) {
+  begin();
+  turnAndSense(0.0, 1.0);
+  const ScanOutcome first = outcomeAfter(2.1);
+  ASSERT_TRUE(first.scan) << first.message;
+  EXPECT_NEAR(first.scan->odom_from_scan.yaw, -1.0, 1e-6);
+
+  // The robot went on to where the compass errs by another angle.
+  collector().begin(toNanoseconds(kStart + 10.0), 1, kStep);
+  for (const double t : {10.0, 10.5}) {
+    odometry(kStart + t, {3.0, -1.0, 0.2});
+    heading(kStart + t, 0.2 + 0.4);
+  }
+  for (int k = 0; k < kSensors; ++k) range(kStart + 10.1 + 0.1 * k, k, 1.0);
+  process(kStart + 10.6);
+  const ScanOutcome second = collector().outcome(toNanoseconds(kStart + 10.6));
+  ASSERT_TRUE(second.scan) << second.message;
+  EXPECT_NEAR(second.scan->odom_from_scan.yaw, -0.4, 1e-6);
+}
+
+TEST_F(ScanCollectorTest, WithoutOdometryAReadingWaitsForTheNextHeading) {
+  parameters_.odom_frame = "";
+  parameters_.scan.min_readings = 1;
+  begin(1);
+  heading(kStart, 0.0);
+  range(kStart + 0.2, 0, 1.0);
+  process(kStart + 0.3);
+  EXPECT_EQ(collector().readings(), 0U) << "the robot turns until the next heading";
+  EXPECT_TRUE(collector().waiting());
+  heading(kStart + 0.4, 0.4);
+  const ScanOutcome outcome = outcomeAfter(0.45);
+  ASSERT_TRUE(outcome.scan) << outcome.message;
+  EXPECT_NEAR(outcome.scan->readings.front().sensor_pose.yaw, 0.2, 1e-6);
+}
+
+TEST_F(ScanCollectorTest, WithoutOdometryTheLastHeadingServesWhereNoOtherComes) {
+  parameters_.odom_frame = "";
+  parameters_.scan.min_readings = 1;
+  begin(1);
+  heading(kStart, 0.1);
+  range(kStart + 0.2, 0, 1.0);
+  process(kStart + 0.2 + parameters_.scan.tf_timeout - 0.01);
+  EXPECT_TRUE(collector().waiting());
+  process(kStart + 0.2 + parameters_.scan.tf_timeout);
+  EXPECT_FALSE(collector().waiting());
+  EXPECT_EQ(collector().readings(), 1U);
 }
 
 TEST_F(ScanCollectorTest, DroppingForgetsTheScan) {

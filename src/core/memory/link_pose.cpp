@@ -1,0 +1,48 @@
+#include "core/memory/link_pose.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace place_memory::core {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+// As the doc comment of PlaceLink::covariance states.
+constexpr double kLeastShift = 0.05;  // [m]
+constexpr double kShiftPerMetre = 0.1;
+constexpr double kTurn = 0.1;  // [rad]
+
+}  // namespace
+
+std::array<double, 9> turned(const std::array<double, 9>& covariance, double yaw) {
+  RowMajor turn = RowMajor::Identity();
+  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(yaw).toRotationMatrix();
+  std::array<double, 9> result{};
+  Eigen::Map<RowMajor>(result.data()) =
+      turn * Eigen::Map<const RowMajor>(covariance.data()) * turn.transpose();
+  return result;
+}
+
+PlaceLink linkTo(PlaceId place, const Pose2d& odom_from_place, const Stand& from, bool located,
+                 std::chrono::nanoseconds arrived) {
+  PlaceLink link;
+  link.first = from.place;
+  link.second = place;
+  link.forward = {1, 0, arrived};
+  if (!located) {
+    for (const std::size_t at : {0, 4, 8}) link.covariance[at] = kUnknownVariance;
+    return link;
+  }
+  link.first_from_second = from.odom_from_place.inverse() * odom_from_place;
+  link.covariance = from.covariance;
+  const double way = std::hypot(link.first_from_second.x, link.first_from_second.y);
+  const double shift = kLeastShift * kLeastShift + kShiftPerMetre * kShiftPerMetre * way * way;
+  link.covariance[0] += shift;
+  link.covariance[4] += shift;
+  link.covariance[8] += kTurn * kTurn;
+  return link;
+}
+
+}  // namespace place_memory::core

@@ -1,0 +1,76 @@
+#ifndef PLACE_MEMORY_CORE_MEMORY_MAP_WRITER_H
+#define PLACE_MEMORY_CORE_MEMORY_MAP_WRITER_H
+
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+#include "core/index/place_index.h"
+#include "core/memory/whereabouts.h"
+#include "core/store/place_store.h"
+#include "place_memory/core/place_map.h"
+#include "place_memory/core/place_memory.h"
+
+namespace place_memory::core {
+
+/// What everybody reads, each time for a moment.
+struct MemoryState {
+  mutable std::mutex mutex;  ///< guards all the others
+  PlaceMap map;
+  PlaceIndex index;
+  WhereaboutsOwner whereabouts;
+
+  /// As the store has them; `progress` is told how far reading has come.
+  MemoryState(const PlaceStore& store, bool located);
+};
+
+/// Makes changes of the map: in store, map, index and whereabouts together, or in none of them.
+///
+/// All but listen(), watch() and health() is for one thread, which alone changes the map: it may
+/// read MemoryState::map without the mutex.
+class MapWriter {
+ public:
+  using Clock = std::function<std::chrono::nanoseconds()>;
+
+  MapWriter(PlaceStore store, MemoryState& state, Clock clock);
+
+  /// What `query` returns of the store. Throws PlaceMemoryError where it throws StoreError.
+  template <class Query>
+  auto query(const Query& query) {
+    try {
+      return query(store_);
+    } catch (const StoreError& error) {
+      fail(error);
+    }
+  }
+
+  /// Makes the edits one change; without an edit there is none. `settle`, where given, runs in the
+  /// moment in which everybody sees the change. Then listeners are told. Throws PlaceMemoryError
+  /// where the store fails, and std::invalid_argument where the edits do not fit the map; nothing
+  /// is changed then.
+  void commit(std::vector<MapEdit> edits, const std::function<void()>& settle = nullptr);
+
+  void listen(PlaceMemory::Listener listener);
+  void watch(PlaceMemory::HealthListener listener);
+  StoreHealth health() const;
+
+ private:
+  void keep(const MapChange& change);
+  void apply(const MapChange& change, const std::function<void()>& settle);
+  [[noreturn]] void fail(const StoreError& error);
+  void report(const std::string& problem);
+
+  PlaceStore store_;
+  MemoryState& state_;
+  const Clock clock_;
+
+  mutable std::mutex mutex_;  ///< guards everything below
+  std::vector<PlaceMemory::Listener> listeners_;
+  std::vector<PlaceMemory::HealthListener> watchers_;
+  StoreHealth health_;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_MEMORY_MAP_WRITER_H

@@ -1,0 +1,124 @@
+#include "core/store/store_schema.h"
+
+#include <string>
+#include <vector>
+
+namespace place_memory::core {
+namespace {
+
+// No table has an index or a constraint: each row is found by its number, and all of it stands
+// under the row's own checksum, which takes in the number. So damage of a byte is damage of one
+// row, and not of what SQLite derives from it. A row's checksum is that of RowChecksum over the
+// columns in their order. (first_id << 20 of a link keeps those of a place together.)
+const std::vector<std::string> kTables = {
+    R"(CREATE TABLE store(
+    id INTEGER PRIMARY KEY,     -- 1: there is one row
+    identity BLOB,              -- 16 bytes that no other store has
+    cell_size REAL,             -- of all grids [m]
+    next_place INTEGER,         -- ids from here on were never given
+    next_session INTEGER,
+    map_version INTEGER,
+    map_stamp_ns INTEGER,       -- of the newest change, since the epoch
+    totals BLOB,                -- of each table: number of rows, sum of their checksums mod 2^64
+    checksum INTEGER
+  ))",
+    R"(CREATE TABLE place(
+    id INTEGER PRIMARY KEY,
+    identity BLOB,              -- 16 bytes that no other place of any store has
+    label TEXT,
+    x REAL,                     -- in the frame of the session [m]
+    y REAL,
+    yaw REAL,                   -- of compass east there [rad]
+    session INTEGER,
+    robot_x REAL,               -- where the robot stood, in the frame of the place [m]
+    robot_y REAL,
+    robot_yaw REAL,             -- [rad]
+    learned_ns INTEGER,         -- since the epoch
+    checksum INTEGER
+  ))",
+    R"(CREATE TABLE link(
+    id INTEGER PRIMARY KEY,     -- first_id << 20 | a number of its own
+    first_id INTEGER,           -- the lower one
+    second_id INTEGER,
+    x REAL,                     -- pose of the second place in the first one's frame [m]
+    y REAL,
+    yaw REAL,                   -- [rad]
+    covariance BLOB,            -- of that pose, row by row: 9 doubles
+    forward_succeeded INTEGER,  -- traversals from the first to the second
+    forward_failed INTEGER,
+    forward_last_ns INTEGER,    -- since the epoch; 0: none
+    backward_succeeded INTEGER,
+    backward_failed INTEGER,
+    backward_last_ns INTEGER,
+    checksum INTEGER
+  ))",
+    R"(CREATE TABLE grid(
+    place_id INTEGER PRIMARY KEY,
+    cells BLOB,                 -- one signed byte a cell, row by row from the least y
+    checksum INTEGER
+  ))",
+    R"(CREATE TABLE planes(
+    id INTEGER PRIMARY KEY,     -- place_id / 32
+    slots BLOB                  -- one of each place_id % 32: id, checksum, occupied, empty
+  ))",
+    R"(CREATE TABLE readings(
+    place_id INTEGER PRIMARY KEY,
+    readings BLOB,              -- of the scan from which the place was learned
+    checksum INTEGER
+  ))",
+    R"(CREATE TABLE node(
+    id INTEGER PRIMARY KEY,     -- a scan between places
+    session INTEGER,
+    x REAL,                     -- in the frame of the session [m]
+    y REAL,
+    yaw REAL,                   -- [rad]
+    stamp_ns INTEGER,           -- since the epoch
+    readings BLOB,
+    checksum INTEGER
+  ))",
+    R"(CREATE TABLE history(
+    version INTEGER PRIMARY KEY,  -- of the map after the change
+    stamp_ns INTEGER,             -- since the epoch
+    change BLOB,
+    checksum INTEGER
+  ))",
+};
+
+std::vector<std::string> tablesOf(SqliteDatabase& database, const std::string& column,
+                                  const std::string& order) {
+  SqliteStatement query(database, "SELECT " + column +
+                                      " FROM sqlite_master WHERE type = 'table' AND name NOT LIKE "
+                                      "'sqlite_%' ORDER BY " +
+                                      order);
+  std::vector<std::string> tables;
+  while (query.step()) tables.push_back(query.text(0));
+  return tables;
+}
+
+}  // namespace
+
+void createSchema(SqliteDatabase& database) {
+  database.execute("PRAGMA page_size = 4096");
+  SqliteTransaction transaction(database);
+  for (const std::string& table : kTables) database.execute(table);
+  database.execute("PRAGMA application_id = " + std::to_string(kStoreApplicationId));
+  database.execute("PRAGMA user_version = " + std::to_string(kStoreFormat));
+  transaction.commit();
+}
+
+void checkSchema(SqliteDatabase& database, std::uint32_t format) {
+  bool sound = false;
+  if (format == kStoreFormat) {
+    sound = tablesOf(database, "sql", "rowid") == kTables;
+  } else {
+    std::vector<std::string> names{"grid", "link", "place"};
+    if (format > 1) names.emplace_back("planes");
+    sound = tablesOf(database, "name", "name") == names;
+  }
+  if (!sound) {
+    throwStoreError(database.path(), "is damaged: it has not the tables of format " +
+                                         std::to_string(format) + "; it was left as it is");
+  }
+}
+
+}  // namespace place_memory::core

@@ -1,0 +1,21 @@
+#ifndef PLACE_MEMORY_NODE_INPUT_ADAPTED_READING_H
+#define PLACE_MEMORY_NODE_INPUT_ADAPTED_READING_H
+
+#include <optional>
+#include <string>
+
+#include "core/sensing/measurement.h"
+#include "node/input/reject.h"
+
+namespace place_memory::node {
+
+/// What an adapter makes of a sensor's message, usable or not.
+struct AdaptedReading {
+  core::Measurement measurement;  ///< stamp, frame and sensor are always those of the message
+  std::optional<Reject> reject;   ///< why it cannot be used
+  std::string sensor_problem;     ///< with Reject::kBadSensor, in a sentence
+};
+
+}  // namespace place_memory::node
+
+#endif  // PLACE_MEMORY_NODE_INPUT_ADAPTED_READING_H

@@ -1,0 +1,26 @@
+#include "node/input/sensor_registry.h"
+
+#include <algorithm>
+
+namespace place_memory::node {
+
+core::SensorId SensorRegistry::idOf(const std::string& topic, const std::string& frame) {
+  const auto known = numbers_.find({topic, frame});
+  if (known != numbers_.end()) return known->second;
+  if (numbers_.size() >= kMaxSensors) return kOtherSensors;
+  const auto id = static_cast<core::SensorId>(sensors_.size());
+  sensors_.push_back({topic, frame});
+  numbers_[{topic, frame}] = id;
+  return id;
+}
+
+std::string SensorRegistry::nameOf(core::SensorId sensor) const {
+  const std::string& frame = frameOf(sensor);
+  const std::string& topic = topicOf(sensor);
+  if (frame.empty()) return "a sensor without a frame on " + topic;
+  const auto same = std::count_if(sensors_.begin(), sensors_.end(),
+                                  [&](const Sensor& other) { return other.frame == frame; });
+  return same > 1 ? frame + " on " + topic : frame;
+}
+
+}  // namespace place_memory::node

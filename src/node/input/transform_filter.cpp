@@ -1,0 +1,48 @@
+#include "node/input/transform_filter.h"
+
+#include <cmath>
+#include <exception>
+
+#include "node/ros_time.h"
+
+namespace place_memory::node {
+namespace {
+
+constexpr double kLeastNorm = 0.1;  // of a quaternion that was meant to be one
+
+}  // namespace
+
+std::optional<std::string> checkTransform(const geometry_msgs::TransformStamped& transform,
+                                          bool is_static, std::chrono::nanoseconds now) {
+  const geometry_msgs::Quaternion& q = transform.transform.rotation;
+  const geometry_msgs::Vector3& t = transform.transform.translation;
+  const double norm = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  if (!std::isfinite(norm)) return "its rotation is not finite";
+  if (norm < kLeastNorm) return "its rotation is a quaternion of zeros";
+  if (!std::isfinite(t.x + t.y + t.z)) return "its translation is not finite";
+  if (is_static) return std::nullopt;
+  if (transform.header.stamp.isZero()) return "its stamp is 0";
+  const auto ahead = toNanoseconds(transform.header.stamp) - now;
+  if (ahead > kMaxAhead) {
+    return "it is stamped " + inSeconds(ahead) +
+           " ahead of the clock: is the clock right where it is published?";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> addTransform(const geometry_msgs::TransformStamped& transform,
+                                        bool is_static, std::chrono::nanoseconds now,
+                                        tf2::BufferCore& buffer) {
+  std::optional<std::string> problem = checkTransform(transform, is_static, now);
+  try {
+    // What it refuses by itself, such as a transform that is older than its memory, it says itself.
+    if (!problem) buffer.setTransform(transform, "tf", is_static);
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  if (!problem) return std::nullopt;
+  return "transform from " + transform.child_frame_id + " to " + transform.header.frame_id +
+         " left out: " + *problem;
+}
+
+}  // namespace place_memory::node

@@ -1,0 +1,64 @@
+#include "node/scan/scan_topics.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <boost/algorithm/string/join.hpp>
+
+#include "node/node_names.h"
+
+namespace place_memory::node {
+namespace {
+
+// The names that the launch file's arguments stand for.
+constexpr char kSonarName[] = "sonar";
+constexpr char kHeadingName[] = "heading";
+
+}  // namespace
+
+std::vector<std::string> vainRemappings(const ros::NodeHandle& names,
+                                        const config::Parameters& parameters) {
+  std::vector<std::string> sentences;
+  const auto check = [&](const std::string& name, bool is_used, const std::string& parameter) {
+    const std::string remapped = names.resolveName(name);
+    if (is_used || remapped == names.resolveName(name, false)) return;
+    sentences.push_back(name + " is remapped to " + remapped + " (" + name +
+                        ":=), but nothing listens to it, since the parameter " + parameter +
+                        " does not name it: put " + name + " into " + parameter +
+                        ", or leave one of the two out");
+  };
+  const std::vector<std::string>& sonars = parameters.sonar_topics;
+  check(kSonarName, std::find(sonars.begin(), sonars.end(), kSonarName) != sonars.end(),
+        "sonar_topics");
+  check(kHeadingName, parameters.heading_topic == kHeadingName, "heading_topic");
+  return sentences;
+}
+
+void sayTopics(const ros::NodeHandle& names, const config::Parameters& parameters) {
+  std::vector<std::string> sonars;
+  for (const std::string& topic : parameters.sonar_topics) {
+    sonars.push_back(names.resolveName(topic));
+  }
+  const std::string odometry = parameters.odom_frame.empty() ? "no odometry"
+                                                             : "odometry " + parameters.odom_frame +
+                                                                   " to " + parameters.base_frame;
+  ROS_INFO("sonar %s, heading %s, tf with %s and the sensors in %s, map %s, turns by %s",
+           boost::algorithm::join(sonars, ", ").c_str(),
+           names.resolveName(parameters.heading_topic).c_str(), odometry.c_str(),
+           parameters.base_frame.c_str(), parameters.map_frame.c_str(),
+           names.resolveName(kCommandTopic).c_str());
+  for (const std::string& sentence : vainRemappings(names, parameters)) {
+    ROS_WARN("%s", sentence.c_str());
+  }
+}
+
+void sayOutcome(const ScanOutcome& outcome) {
+  if (outcome.scan) {
+    ROS_INFO("scan %llu: %s%s%s", static_cast<unsigned long long>(outcome.scan->id),
+             outcome.message.c_str(), outcome.problem.empty() ? "" : "; ", outcome.problem.c_str());
+  } else {
+    ROS_WARN("no scan (%s): %s", toString(outcome.status), outcome.message.c_str());
+  }
+}
+
+}  // namespace place_memory::node
