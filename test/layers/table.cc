@@ -25,7 +25,6 @@ const std::map<std::string, std::string> kPublicHeaders{
     {"place_memory/core/place_id.h", "core/place_id"},
     {"place_memory/core/map_change.h", "core/map"},
     {"place_memory/core/place.h", "core/map"},
-    {"place_memory/core/place_graph.h", "core/map"},
     {"place_memory/core/place_map.h", "core/map"},
     {"place_memory/core/match_metric.h", "core/match"},
     {"place_memory/core/search_method.h", "core/match"},
