@@ -4,7 +4,7 @@
 #include "core/match/alignment.h"
 #include "core/match/lattice.h"
 #include "core/match/query_planes.h"
-#include "place_memory/core/recognizer_options.h"
+#include "place_memory/core/search_method.h"
 
 namespace place_memory::core {
 

@@ -33,9 +33,9 @@ class Seeds {
 Seeds chooseSeeds(const Climber& climber, const SeedGrid& grid, const SeedScores& scores,
                   std::size_t place);
 
-/// Random-restart hill climbing (Russell and Norvig, Artificial Intelligence, section 4.1), with
-/// seeds for the random starts: climbs from the expected pose and from the seeds (paper 4, last
-/// lines). Returns the summits, best first.
+/// Random-restart hill climbing (Russell and Norvig, Artificial Intelligence), with seeds in place
+/// of random starts: climbs from the expected pose and from the seeds (paper 4, last lines).
+/// Returns the summits, best first.
 std::vector<Alignment> climbFromSeeds(Climber& climber, const Seeds& seeds);
 
 /// The best alignment near these summits, best first.

@@ -34,9 +34,9 @@ struct SeedScores {
   std::vector<BlockScores> scratch;
 };
 
-/// Correlative scan matching's low-resolution search (Olson, Real-Time Correlative Scan Matching,
-/// 2009, section V) over the grid of seeds: the transforms of a search's window that climbs may
-/// start from. Holds the recognition grid in 16 x 16 cells under each of them.
+/// The low-resolution level of correlative scan matching (Olson, Real-Time Correlative Scan
+/// Matching, 2009) over seeds: the transforms of a search's window that climbs may start from.
+/// Holds the recognition grid in 16 x 16 cells under each of them.
 class SeedGrid {
  public:
   SeedGrid(const QueryPlanes& query, const FixedMetric& metric, const SearchWindow& window,

@@ -30,9 +30,9 @@ struct RobotPose {
 };
 
 /// Compounds the estimate with where the place lies and with where the robot's base stood in the
-/// scan, both of them certain (Smith, Self and Cheeseman, Estimating Uncertain Spatial
-/// Relationships in Robotics, 1990, section 3.2.1): how far the heading is off moves a robot that
-/// stands away from the scan's origin.
+/// scan, both taken as certain (Smith, Self and Cheeseman, Estimating Uncertain Spatial
+/// Relationships in Robotics, 1990): by how much the heading is off moves a robot that stands away
+/// from the scan's origin.
 RobotPose robotPose(const Pose2d& map_from_place, const PoseEstimate& estimate,
                     const Pose2d& robot_in_scan);
 

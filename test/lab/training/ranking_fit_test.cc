@@ -123,9 +123,9 @@ TEST(SecondChoices, ScoreAsTheRecognizerScores) {
   rescoring.peak_sharpness_rotation = -1.5;
   const CandidateList list = someList();
   const Choice choice = rescoringChoices({list}, weights).front();
-  EXPECT_DOUBLE_EQ((choice.features * asWeights(rescoring))[0],
-                   core::rescore(28.0, list.candidates[14].rescoring_counts,
-                                 list.candidates[14].sharpness, rescoring));
+  EXPECT_DOUBLE_EQ(
+      (choice.features * asWeights(rescoring))[0],
+      core::rescore(28.0, list.candidates[14].near, list.candidates[14].sharpness, rescoring));
 }
 
 TEST(AsSecondLook, IsTheInverseOfAsWeights) {
