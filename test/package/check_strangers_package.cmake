@@ -38,7 +38,7 @@ find_program(NM nm)
 foreach(library ${libraries})
   execute_process(COMMAND ${NM} -DC --defined-only ${library}
     OUTPUT_VARIABLE symbols RESULT_VARIABLE status)
-  if(NOT status EQUAL 0 OR symbols MATCHES " T [^\n]*(PlaceIndex|Recognizer::|PlaceStore|YAML::|sqlite3_)")
+  if(NOT status EQUAL 0 OR symbols MATCHES " T [^\n(]*(PlaceIndex|Recognizer|PlaceStore|YAML|ParameterReader)::")
     message(FATAL_ERROR "${library} shows what is internal")
   endif()
   file(READ_SYMLINK ${library} versioned)
