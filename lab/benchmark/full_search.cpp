@@ -220,7 +220,7 @@ void FullSearch::tryTransforms(const core::PlaceBlock& block, std::size_t slot, 
                                ScoredPlace& best) const {
   const core::CellPlanes cells = block.planes().get(slot);
   forEachTransform(group, [&](int turn, core::CellShift shift) {
-    const ScoredPlace found{block[slot].id, core::scoreAt(query_, cells, metric_, shift, turn)};
+    const ScoredPlace found{block[slot], core::scoreAt(query_, cells, metric_, shift, turn)};
     if (beats(found, best)) best = found;
   });
 }

@@ -63,14 +63,15 @@ double evaluationsPerPlace(const core::RecognizerOptions& options, const core::P
 void recognition(State& state, Setting& setting, std::size_t size, bool any_heading) {
   const core::Recognizer recognizer(setting.parameters().match.recognizer);
   const SyntheticMemory memory = setting.memory(size);
-  const core::PlaceIndex& index = setting.index(size);
+  const KnownMap& map = setting.map(size);
   const auto queries = memory.queries(static_cast<std::size_t>(state.max_iterations), any_heading);
   const double window = headingWindow(setting, any_heading);
   int right = 0, recognized = 0, wrongly = 0;
   std::size_t next = 0;
   for ([[maybe_unused]] auto _ : state) {
     const Query& query = *queries[next++ % queries.size()];
-    const core::Recognition answer = recognizer.recognize(query.scan, index, window);
+    const core::Recognition answer =
+        recognizer.recognize(query.scan, map.index, map.lookUp(), window).value();
     const bool is_right = memory.isRight(query, answer.matches.front().id);
     right += is_right ? 1 : 0;
     if (answer.verdict != core::Verdict::kRecognized) continue;
@@ -82,7 +83,7 @@ void recognition(State& state, Setting& setting, std::size_t size, bool any_head
   state.counters["recognized"] = share(recognized, next);
   state.counters["sure_and_wrong"] = share(wrongly, next);
   state.counters["evaluations_per_place"] =
-      evaluationsPerPlace(setting.parameters().match.recognizer, index, queries, window);
+      evaluationsPerPlace(setting.parameters().match.recognizer, map.index, queries, window);
   state.counters["places"] = static_cast<double>(size);
 }
 
@@ -104,7 +105,7 @@ void fullSearch(State& state, Setting& setting, std::size_t size, bool any_headi
     const core::QueryPlanes planes(query.scan.grid, core::kHeadingStep, window.turns);
     const core::PlaceAlignment found =
         core::searchPlaces(planes, index, metric, window, options.method, nullptr).front();
-    const ScoredPlace known{found.entry->id, found.alignment.score};
+    const ScoredPlace known{found.place, found.alignment.score};
     const ScoredPlace best = FullSearch(planes, metric, window).best(index, known);
     agree += known.id == best.id ? 1 : 0;
     same_score += known.score >= best.score ? 1 : 0;

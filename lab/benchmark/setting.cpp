@@ -18,18 +18,18 @@ const SimulatedPlaces& Setting::simulated() {
   return *simulated_;
 }
 
-const core::PlaceIndex& Setting::index(std::size_t size) {
-  if (index_size_ != size) {
-    dropIndex();
-    index_ = memory(size).index();
-    index_size_ = size;
+const KnownMap& Setting::map(std::size_t size) {
+  if (map_size_ != size) {
+    dropMap();
+    map_ = memory(size).map();
+    map_size_ = size;
   }
-  return index_;
+  return map_;
 }
 
-void Setting::dropIndex() {
-  index_.clear();
-  index_size_ = 0;
+void Setting::dropMap() {
+  map_ = {};
+  map_size_ = 0;
 }
 
 std::size_t Setting::affordableQueries(std::size_t size, double seconds_per_place) const {

@@ -30,8 +30,9 @@ class Setting {
 
   const SimulatedPlaces& simulated();
   /// The newest one is kept, so benchmarks of one size should follow each other.
-  const core::PlaceIndex& index(std::size_t size);
-  void dropIndex();
+  const KnownMap& map(std::size_t size);
+  const core::PlaceIndex& index(std::size_t size) { return map(size).index; }
+  void dropMap();
   SyntheticMemory memory(std::size_t size) { return {simulated(), size}; }
 
   /// Queries that the patience allows where one takes `seconds_per_place` for each place.
@@ -41,8 +42,8 @@ class Setting {
   Options options_;
   config::Parameters parameters_;
   std::unique_ptr<SimulatedPlaces> simulated_;
-  std::size_t index_size_ = 0;
-  core::PlaceIndex index_;
+  std::size_t map_size_ = 0;
+  KnownMap map_;
 };
 
 /// "1000" as it stands in the names of benchmarks, behind "local" or "any".

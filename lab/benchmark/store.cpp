@@ -62,12 +62,12 @@ void load(State& state, Setting& setting, std::size_t size) {
 
 /// What matching alone needs; and what making it from grids takes.
 void index(State& state, Setting& setting, std::size_t size) {
-  setting.dropIndex();
+  setting.dropMap();
   setting.simulated();
   double resident = 0.0;
   for ([[maybe_unused]] auto _ : state) {
     const double before = residentBytes();
-    const core::PlaceIndex index = setting.memory(size).index();
+    const core::PlaceIndex index = setting.memory(size).map().index;
     resident = residentBytes() - before;
   }
   state.counters["places"] = static_cast<double>(size);

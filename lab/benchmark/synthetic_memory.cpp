@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "spliced_places.h"
 #include "threads.h"
@@ -39,12 +40,14 @@ void SyntheticMemory::forEach(
   }
 }
 
-core::PlaceIndex SyntheticMemory::index() const {
+KnownMap SyntheticMemory::map() const {
   core::PlaceIndex index;
-  forEach([&index](core::PlaceId id, const KnownPlace& place) {
-    index.put(id, place.map_from_place, place.grid);
+  std::vector<core::PlaceFrame> frames;
+  forEach([&](core::PlaceId id, const KnownPlace& place) {
+    index.put(id, place.grid);
+    frames.push_back({place.map_from_place});
   });
-  return index;
+  return {std::move(index), std::move(frames)};
 }
 
 std::vector<const Query*> SyntheticMemory::queries(std::size_t count, bool any_heading) const {

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/index/place_index.h"
+#include "core/recognize/place_frame.h"
 #include "simulated_places.h"
 
 namespace place_memory::measure {
@@ -15,6 +17,21 @@ namespace place_memory::measure {
 constexpr std::size_t kQueryPlaces = 1000;
 /// So many places are simulated for the largest memories; the rest of those is spliced.
 constexpr std::size_t kSimulatedPlaces = 5000;
+
+/// What recognition needs of all places, which have the ids 1, 2, ...
+struct KnownMap {
+  core::PlaceIndex index;
+  std::vector<core::PlaceFrame> frames;
+
+  core::LookUpFrames lookUp() const {
+    return [this](const std::vector<core::PlaceId>& places) {
+      std::vector<core::PlaceFrame> found;
+      for (const core::PlaceId id : places)
+        found.push_back(frames[static_cast<std::size_t>(id) - 1]);
+      return std::optional(found);
+    };
+  }
+};
 
 /// A memory of any size, the same one for the same size: simulated places, and beyond
 /// kSimulatedPlaces spliced ones, with the simulated ones spread evenly among them.
@@ -27,7 +44,7 @@ class SyntheticMemory {
   /// Calls with every place, in the order of its id: 1 to size().
   void forEach(const std::function<void(core::PlaceId, const KnownPlace&)>& call) const;
 
-  core::PlaceIndex index() const;
+  KnownMap map() const;
 
   /// Up to `count` queries, evenly from all that have their place in the memory.
   std::vector<const Query*> queries(std::size_t count, bool any_heading) const;

@@ -46,10 +46,10 @@ class Robot {
 
   Answer visit(const trials::RecognitionTrial& trial) {
     const core::Scan scan = scanOf(trial.readings);
-    const core::LabelledRecognition found = memory_.recognize(scan, trial.heading_window);
+    const core::PlaceMemory::Answer found = memory_.recognize(scan, trial.heading_window);
     Answer answer =
         judge(trial, found.recognition, found.labels.empty() ? "" : found.labels.front());
-    answer.folded = memory_.adapt(scan, found.recognition);
+    answer.folded = found.adapted;
     return answer;
   }
 

@@ -30,7 +30,7 @@ class Memory {
     for (const trials::LearnedScan& scan : set.learned) {
       places_.emplace_back(scan.label, scan.odom_from_scan);
       const auto id = static_cast<core::PlaceId>(places_.size());
-      index_.put(id, scan.odom_from_scan, sonar_.build(scan.readings, geometry_));
+      index_.put(id, sonar_.build(scan.readings, geometry_));
     }
   }
 
@@ -61,7 +61,15 @@ class Memory {
     core::Scan scan;
     scan.readings = trial.readings;
     scan.grid = sonar_.build(trial.readings, geometry_);
-    const core::Recognition found = recognizer_.recognize(scan, index, trial.heading_window);
+    const auto frames = [this](const std::vector<core::PlaceId>& ids) {
+      std::vector<core::PlaceFrame> of;
+      for (const core::PlaceId id : ids) {
+        of.push_back({places_[static_cast<std::size_t>(id - 1)].second});
+      }
+      return std::optional(of);
+    };
+    const core::Recognition found =
+        recognizer_.recognize(scan, index, frames, trial.heading_window).value();
     if (found.matches.empty()) return judge(trial, found, "");
     const core::PlaceId best = found.matches.front().id;
     return judge(trial, found, places_[static_cast<std::size_t>(best - 1)].first);

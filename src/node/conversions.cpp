@@ -120,11 +120,11 @@ Place toMessage(const core::Place& place) {
   return message;
 }
 
-PlaceGraph toMessage(const core::PlaceGraph& graph, const std_msgs::Header& header) {
+PlaceGraph toMessage(const core::MapSnapshot& map, const std_msgs::Header& header) {
   PlaceGraph message;
   message.header = header;
-  for (const core::Place& place : graph.places()) message.places.push_back(toMessage(place));
-  for (const core::PlaceLink& link : graph.links()) {
+  for (const core::Place& place : map.places) message.places.push_back(toMessage(place));
+  for (const core::PlaceLink& link : map.links) {
     PlaceLink& added = message.links.emplace_back();
     added.first_id = link.first;
     added.second_id = link.second;
@@ -132,9 +132,9 @@ PlaceGraph toMessage(const core::PlaceGraph& graph, const std_msgs::Header& head
   return message;
 }
 
-Recognition toMessage(const core::LabelledRecognition& recognition, const std_msgs::Header& header,
+Recognition toMessage(const core::PlaceMemory::Answer& answer, const std_msgs::Header& header,
                       const ros::Duration& match_duration) {
-  const core::Recognition& found = recognition.recognition;
+  const core::Recognition& found = answer.recognition;
   Recognition message;
   message.header = header;
   message.verdict = toMessage(found.verdict);
@@ -142,7 +142,7 @@ Recognition toMessage(const core::LabelledRecognition& recognition, const std_ms
     const core::PlaceMatch& match = found.matches[i];
     PlaceMatch& added = message.matches.emplace_back();
     added.id = match.id;
-    added.label = recognition.labels[i];
+    added.label = answer.labels[i];
     added.score = match.score;
     added.transform = toPose2D(match.place_from_scan);
     added.probability = match.probability;

@@ -17,7 +17,6 @@
 #include <string>
 
 #include "place_memory/core/evidence_grid.h"
-#include "place_memory/core/place_graph.h"
 #include "place_memory/core/place_memory.h"
 
 namespace place_memory::node {
@@ -42,8 +41,8 @@ nav_msgs::OccupancyGrid toOccupancyGrid(const core::EvidenceGrid& grid,
                                         const std_msgs::Header& header, double prior);
 
 Place toMessage(const core::Place& place);
-PlaceGraph toMessage(const core::PlaceGraph& graph, const std_msgs::Header& header);
-Recognition toMessage(const core::LabelledRecognition& recognition, const std_msgs::Header& header,
+PlaceGraph toMessage(const core::MapSnapshot& map, const std_msgs::Header& header);
+Recognition toMessage(const core::PlaceMemory::Answer& answer, const std_msgs::Header& header,
                       const ros::Duration& match_duration);
 
 }  // namespace place_memory::node

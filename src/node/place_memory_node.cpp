@@ -79,7 +79,7 @@ ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
 
 void PlaceMemoryNode::dropScan() {
   scan_.drop();
-  memory_->forgetPreviousPlace();
+  memory_->forgetWhereabouts();
   ROS_WARN("The newest scan is dropped, and the next place will be linked to none");
 }
 

@@ -19,6 +19,10 @@ std::string toString(core::PlaceMemoryError::Reason reason) {
       return "unknown_place";
     case Reason::kInvalidScan:
       return "invalid_scan";
+    case Reason::kWrongCells:
+      return "wrong_cells";
+    case Reason::kAlreadyLearned:
+      return "already_learned";
     case Reason::kStoreFailed:
       return "store_failed";
   }
@@ -27,25 +31,16 @@ std::string toString(core::PlaceMemoryError::Reason reason) {
 
 Result learn(const Event& event, const core::Scan& scan, core::PlaceMemory& memory) {
   Result result;
-  const core::Place place = memory.learn(scan, event.label);
+  const core::Place place = memory.learn(scan, event.label).place;
   result.place = place.label;
   result.robot = place.map_from_place * scan.robot_in_scan;
   return result;
 }
 
-void adapt(const core::Scan& scan, const core::Recognition& recognition, core::PlaceMemory& memory,
-           Result& result) {
-  try {
-    memory.adapt(scan, recognition);
-  } catch (const core::PlaceMemoryError& error) {
-    result.message = "the place is as it was: " + std::string(error.what());
-  }
-}
-
 Result recognize(const Event& event, const core::Scan& scan, core::PlaceMemory& memory) {
   Result result;
   const auto before = std::chrono::steady_clock::now();
-  const core::LabelledRecognition answer = memory.recognize(scan, event.heading_window);
+  const core::PlaceMemory::Answer answer = memory.recognize(scan, event.heading_window);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - before;
   result.match_ms = took.count();
   result.verdict = core::nameOf(answer.recognition.verdict);
@@ -56,7 +51,9 @@ Result recognize(const Event& event, const core::Scan& scan, core::PlaceMemory& 
   result.score = best.score;
   result.probability = best.probability;
   result.robot = answer.recognition.map_from_robot;
-  adapt(scan, answer.recognition, memory, result);
+  if (!answer.adapt_problem.empty()) {
+    result.message = "the place is as it was: " + answer.adapt_problem;
+  }
   return result;
 }
 

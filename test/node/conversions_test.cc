@@ -28,14 +28,18 @@ core::Place makePlace(core::PlaceId id, const std::string& label, double x) {
   return place;
 }
 
-core::PlaceGraph makeChain() {
-  core::PlaceGraph graph;
-  graph.add(makePlace(1, "a", 0.0));
-  graph.add(makePlace(2, "b", 3.0));
-  graph.add(makePlace(3, "c", 6.0));
-  graph.link(1, 2);
-  graph.link(2, 3);
-  return graph;
+core::PlaceLink makeLink(core::PlaceId first, core::PlaceId second) {
+  core::PlaceLink link;
+  link.first = first;
+  link.second = second;
+  return link;
+}
+
+core::MapSnapshot makeChain() {
+  return {5,
+          std::chrono::seconds(7),
+          {makePlace(1, "a", 0.0), makePlace(2, "b", 3.0), makePlace(3, "c", 6.0)},
+          {makeLink(1, 2), makeLink(2, 3)}};
 }
 
 const std_msgs::Header kHeader = makeHeader("map", ros::Time(7, 8));
@@ -128,7 +132,7 @@ TEST(ToMessage, AGraphKeepsPlacesAndLinks) {
 }
 
 TEST(ToMessage, ARecognitionKeepsEveryMatchInOrder) {
-  core::LabelledRecognition answer;
+  core::PlaceMemory::Answer answer;
   answer.recognition.verdict = core::Verdict::kAmbiguous;
   answer.recognition.matches = {{5, 90.0, {0.1, 0.2, 0.3}, 0.6}, {2, 80.0, {}, 0.4}};
   answer.recognition.map_from_robot = {3.0, 4.0, 0.0};
@@ -147,7 +151,7 @@ TEST(ToMessage, ARecognitionKeepsEveryMatchInOrder) {
 }
 
 TEST(ToMessage, EachVerdictHasItsConstant) {
-  core::LabelledRecognition answer;
+  core::PlaceMemory::Answer answer;
   const auto verdict = [&answer](core::Verdict value) {
     answer.recognition.verdict = value;
     return toMessage(answer, kHeader, ros::Duration()).verdict;
@@ -185,7 +189,7 @@ TEST(ToMarkers, ALinkIsALineBetweenItsPlaces) {
 }
 
 TEST(ToMarkers, WhatIsNotInTheMapVanishes) {
-  const visualization_msgs::MarkerArray array = toMarkers(core::PlaceGraph(), kHeader);
+  const visualization_msgs::MarkerArray array = toMarkers(core::MapSnapshot(), kHeader);
   ASSERT_EQ(array.markers.size(), 1U);
   EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
   EXPECT_EQ(toMarkers(makeChain(), kHeader).markers.front().action, Marker::DELETEALL);

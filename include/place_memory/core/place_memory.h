@@ -66,8 +66,10 @@ struct MapSnapshot {
 /// Whether changes can be kept.
 struct StoreHealth {
   bool ok = true;
-  std::string problem;  ///< what went wrong with the newest change that was tried, in a sentence
+  std::string problem;  ///< why the newest change that was tried could not be kept, in a sentence
   std::chrono::nanoseconds since{0};  ///< when it became so, by PlaceMemoryOptions::clock
+  /// What is damaged in the store and left out, a sentence each.
+  std::vector<std::string> set_aside;
 };
 
 /// Learns places, recognizes them, and keeps them in the topological/metric map (paper 3, 4).

@@ -16,18 +16,16 @@ std::uint16_t countCells(const BitPlane& plane) {
 }  // namespace
 
 std::size_t PlaceBlock::slotOf(PlaceId id) const {
-  const auto* place = std::lower_bound(
-      begin(), end(), id, [](const PlaceEntry& entry, PlaceId key) { return entry.id < key; });
-  return static_cast<std::size_t>(place - begin());
+  return static_cast<std::size_t>(std::lower_bound(begin(), end(), id) - begin());
 }
 
 bool PlaceBlock::holds(PlaceId id) const {
   const std::size_t slot = slotOf(id);
-  return slot < size_ && entries_[slot].id == id;
+  return slot < size_ && ids_[slot] == id;
 }
 
-void PlaceBlock::replace(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells) {
-  entries_[slot] = entry;
+void PlaceBlock::replace(std::size_t slot, PlaceId id, const CellPlanes& cells) {
+  ids_[slot] = id;
   totals_[slot] = {countCells(cells.occupied), countCells(cells.empty)};
   planes_.set(slot, cells);
   std::array<QueryRow, kCoarsestRows> coarsest;
@@ -38,20 +36,20 @@ void PlaceBlock::replace(std::size_t slot, const PlaceEntry& entry, const CellPl
   }
 }
 
-void PlaceBlock::insert(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells) {
+void PlaceBlock::insert(std::size_t slot, PlaceId id, const CellPlanes& cells) {
   for (std::size_t to = size_; to > slot; --to) {
-    replace(to, entries_[to - 1], planes_.get(to - 1));
+    replace(to, ids_[to - 1], planes_.get(to - 1));
   }
-  replace(slot, entry, cells);
+  replace(slot, id, cells);
   ++size_;
 }
 
 void PlaceBlock::erase(std::size_t slot) {
   --size_;
   for (std::size_t to = slot; to < size_; ++to) {
-    replace(to, entries_[to + 1], planes_.get(to + 1));
+    replace(to, ids_[to + 1], planes_.get(to + 1));
   }
-  replace(size_, {}, {});
+  replace(size_, kNoPlace, {});
 }
 
 }  // namespace place_memory::core

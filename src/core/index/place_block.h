@@ -8,15 +8,8 @@
 #include "core/grid/cell_totals.h"
 #include "core/kernels/plane_block.h"
 #include "place_memory/core/place_id.h"
-#include "place_memory/core/pose2d.h"
 
 namespace place_memory::core {
-
-/// What matching needs of a place beside its cells.
-struct PlaceEntry {
-  PlaceId id = kNoPlace;
-  Pose2d map_from_place;
-};
 
 /// Up to eight places by rising id, their cells as the matching kernels read them.
 class PlaceBlock {
@@ -25,9 +18,9 @@ class PlaceBlock {
 
   std::size_t size() const { return size_; }
   /// Slots in [0, size()).
-  const PlaceEntry& operator[](std::size_t slot) const { return entries_[slot]; }
-  const PlaceEntry* begin() const { return entries_.data(); }
-  const PlaceEntry* end() const { return entries_.data() + size_; }
+  PlaceId operator[](std::size_t slot) const { return ids_[slot]; }
+  const PlaceId* begin() const { return ids_.data(); }
+  const PlaceId* end() const { return ids_.data() + size_; }
   const CellTotals& totals(std::size_t slot) const { return totals_[slot]; }
 
   /// Slots from size() on are unsensed.
@@ -40,15 +33,15 @@ class PlaceBlock {
   bool holds(PlaceId id) const;
 
   /// At a slot in [0, size()), in the order of ids.
-  void replace(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells);
+  void replace(std::size_t slot, PlaceId id, const CellPlanes& cells);
   /// Before the place at a slot in [0, size()], in the order of ids; size() < kCapacity.
-  void insert(std::size_t slot, const PlaceEntry& entry, const CellPlanes& cells);
+  void insert(std::size_t slot, PlaceId id, const CellPlanes& cells);
   void erase(std::size_t slot);
 
  private:
   PlaneBlock planes_;
   CoarsestBlock coarsest_{};
-  std::array<PlaceEntry, kCapacity> entries_{};
+  std::array<PlaceId, kCapacity> ids_{};
   std::array<CellTotals, kCapacity> totals_{};
   std::size_t size_ = 0;
 };

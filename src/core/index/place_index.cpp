@@ -8,10 +8,9 @@
 namespace place_memory::core {
 
 std::size_t PlaceIndex::blockOf(PlaceId id) const {
-  const auto block = std::lower_bound(blocks_.begin(), blocks_.end(), id,
-                                      [](const std::shared_ptr<const Block>& b, PlaceId key) {
-                                        return (*b)[b->size() - 1].id < key;
-                                      });
+  const auto block = std::lower_bound(
+      blocks_.begin(), blocks_.end(), id,
+      [](const std::shared_ptr<const Block>& b, PlaceId key) { return (*b)[b->size() - 1] < key; });
   return static_cast<std::size_t>(block - blocks_.begin());
 }
 
@@ -23,24 +22,21 @@ CellPlanes PlaceIndex::cells(PlaceId id) const {
   return blocks_[at]->planes().get(blocks_[at]->slotOf(id));
 }
 
-void PlaceIndex::put(PlaceId id, const Pose2d& map_from_place, const EvidenceGrid& grid) {
-  put(id, map_from_place, CellPlanes(grid));
-}
+void PlaceIndex::put(PlaceId id, const EvidenceGrid& grid) { put(id, CellPlanes(grid)); }
 
-void PlaceIndex::put(PlaceId id, const Pose2d& map_from_place, const CellPlanes& cells) {
-  const Entry entry{id, map_from_place};
+void PlaceIndex::put(PlaceId id, const CellPlanes& cells) {
   std::size_t at = blockOf(id);
   if (at == blocks_.size() && at > 0 && blocks_.back()->size() < kBlockSize) --at;
   if (at == blocks_.size()) {
     const auto block = std::make_shared<Block>();
-    block->insert(0, entry, cells);
+    block->insert(0, id, cells);
     blocks_.push_back(block);
     ++size_;
     return;
   }
   if (blocks_[at]->holds(id)) {
     Block& block = changeable(at);
-    block.replace(block.slotOf(id), entry, cells);
+    block.replace(block.slotOf(id), id, cells);
     return;
   }
   if (blocks_[at]->size() == kBlockSize) {
@@ -48,7 +44,7 @@ void PlaceIndex::put(PlaceId id, const Pose2d& map_from_place, const CellPlanes&
     at = blockOf(id);
   }
   Block& block = changeable(at);
-  block.insert(block.slotOf(id), entry, cells);
+  block.insert(block.slotOf(id), id, cells);
   ++size_;
 }
 

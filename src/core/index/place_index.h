@@ -10,29 +10,29 @@
 
 namespace place_memory::core {
 
-/// What matching needs of every place, and nothing else: some 1.1 KiB a place where ids rise.
+/// The ids of all places and the classes of their cells, which matching needs of every one, and
+/// nothing else: some 1.1 KiB a place where ids rise.
 ///
 /// A copy is a snapshot: it shares its blocks with the original and costs a pointer a block, so a
-/// match may run on a copy while places are learned, moved and removed in the original. A change
+/// match may run on a copy while places are learned, changed and removed in the original. A change
 /// copies one or two blocks, however many places there are, and none that no snapshot shares.
 class PlaceIndex {
  public:
   static constexpr std::size_t kBlockSize = PlaceBlock::kCapacity;  ///< places
 
-  using Entry = PlaceEntry;
   using Block = PlaceBlock;
 
   std::size_t size() const { return size_; }
 
-  /// All entries, by rising id from block to block; each block has at least one.
+  /// All places, by rising id from block to block; each block has at least one.
   const std::vector<std::shared_ptr<const Block>>& blocks() const { return blocks_; }
 
   /// The classes of a place's cells. Throws std::out_of_range where the id is not in the index.
   CellPlanes cells(PlaceId id) const;
 
   /// Adds the place, or replaces it where its id is in the index. Cheapest where ids rise.
-  void put(PlaceId id, const Pose2d& map_from_place, const EvidenceGrid& grid);
-  void put(PlaceId id, const Pose2d& map_from_place, const CellPlanes& cells);
+  void put(PlaceId id, const EvidenceGrid& grid);
+  void put(PlaceId id, const CellPlanes& cells);
 
   /// Whether the place was in the index.
   bool erase(PlaceId id);

@@ -13,7 +13,7 @@ const PlaceBlock& PlaceLooks::blockOf(PlaceSlot place) const {
   return *places_.blocks()[place / PlaceIndex::kBlockSize];
 }
 
-const PlaceEntry& PlaceLooks::entryOf(PlaceSlot place) const {
+PlaceId PlaceLooks::idOf(PlaceSlot place) const {
   return blockOf(place)[place % PlaceIndex::kBlockSize];
 }
 

@@ -32,7 +32,7 @@ class PlaceLooks {
       : places_(places), metric_(metric), poll_(poll), pool_(pool) {}
 
   const PlaceBlock& blockOf(PlaceSlot place) const;
-  const PlaceEntry& entryOf(PlaceSlot place) const;
+  PlaceId idOf(PlaceSlot place) const;
   CellPlanes cellsOf(PlaceSlot place) const;
 
   /// All places, as the lattice shows them.

@@ -24,7 +24,7 @@ std::vector<PlaceAlignment> alignEach(const QueryPlanes& query, const PlaceIndex
         const PlaceBlock& block = *blocks[i];
         for (std::size_t slot = 0; slot < block.size(); ++slot) {
           const CellPlanes cells = block.planes().get(slot);
-          found[i].push_back({&block[slot], findAlignment(query, cells, metric, window, method)});
+          found[i].push_back({block[slot], findAlignment(query, cells, metric, window, method)});
         }
       },
       poll);

@@ -13,7 +13,7 @@ namespace place_memory::core {
 
 /// A place at the best alignment that was found for it.
 struct PlaceAlignment {
-  const PlaceIndex::Entry* entry;
+  PlaceId place;
   Alignment alignment;
 };
 

@@ -78,7 +78,7 @@ std::vector<PlaceAlignment> RestartSearch::run() const {
   std::vector<PlaceAlignment> answer;
   answer.reserve(ranked.size());
   for (const Ranked* place : ranked) {
-    answer.push_back({&looks_.entryOf(place->place), place->alignment});
+    answer.push_back({looks_.idOf(place->place), place->alignment});
   }
   return answer;
 }

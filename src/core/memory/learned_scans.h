@@ -12,8 +12,8 @@ namespace place_memory::core {
 
 /// Which place each scan has become since the memory was opened.
 ///
-/// A scan is told from others by its id and pose, one without an id by its stamps and pose. One that
-/// has neither id nor stamps is taken as another scan each time.
+/// A scan is told from others by its id and pose, one without an id by its stamps and pose. One
+/// that has neither id nor stamps is taken as another scan each time.
 class LearnedScans {
  public:
   /// kNoPlace: none that is known of.

@@ -8,25 +8,17 @@ namespace {
 /// Makes the edits in the index.
 class IndexEditor {
  public:
-  /// `map`: as it is after the change.
-  IndexEditor(PlaceIndex& index, const PlaceMap& map) : index_(index), map_(map) {}
+  explicit IndexEditor(PlaceIndex& index) : index_(index) {}
 
-  void operator()(const PlaceAdded& edit) { put(edit.place.id, CellPlanes(*edit.grid)); }
-  void operator()(const GridAdapted& edit) { put(edit.id, CellPlanes(*edit.grid)); }
-  void operator()(const PlaceMoved& edit) { put(edit.id, index_.cells(edit.id)); }
+  void operator()(const PlaceAdded& edit) { index_.put(edit.place.id, *edit.grid); }
+  void operator()(const GridAdapted& edit) { index_.put(edit.id, *edit.grid); }
   void operator()(const PlaceRemoved& edit) { index_.erase(edit.id); }
   void operator()(const MapCleared& /*edit*/) { index_.clear(); }
   template <class Edit>
   void operator()(const Edit& /*edit*/) {}
 
  private:
-  void put(PlaceId id, const CellPlanes& cells) {
-    const Place* place = map_.find(id);
-    if (place != nullptr) index_.put(id, place->map_from_place, cells);
-  }
-
   PlaceIndex& index_;
-  const PlaceMap& map_;
 };
 
 // A listener cannot undo what is kept, and must not keep others from hearing of it.
@@ -44,13 +36,13 @@ void tell(const std::vector<Listener>& listeners, const News& news) {
 
 MemoryState::MemoryState(const PlaceStore& store, bool located)
     : map(store.map()), whereabouts(located, map.size() == 0, store.nextSession()) {
-  store.forEachPlanes([this](PlaceId id, const CellPlanes& planes) {
-    index.put(id, map.find(id)->map_from_place, planes);
-  });
+  store.forEachPlanes([this](PlaceId id, const CellPlanes& planes) { index.put(id, planes); });
 }
 
 MapWriter::MapWriter(PlaceStore store, MemoryState& state, Clock clock)
-    : store_(std::move(store)), state_(state), clock_(std::move(clock)) {}
+    : store_(std::move(store)), state_(state), clock_(std::move(clock)) {
+  report(store_.whyReadOnly());
+}
 
 void MapWriter::commit(std::vector<MapEdit> edits, const std::function<void()>& settle) {
   if (edits.empty()) return;
@@ -70,16 +62,20 @@ void MapWriter::keep(const MapChange& change) {
   try {
     store_.commit(change);
   } catch (const StoreError& error) {
-    report(error.what());
-    throw PlaceMemoryError(PlaceMemoryError::Reason::kStoreFailed, error.what());
+    fail(error);
   }
   report("");
+}
+
+void MapWriter::fail(const StoreError& error) {
+  report(error.what());
+  throw PlaceMemoryError(PlaceMemoryError::Reason::kStoreFailed, error.what());
 }
 
 void MapWriter::apply(const MapChange& change, const std::function<void()>& settle) {
   const std::lock_guard<std::mutex> lock(state_.mutex);
   state_.map.apply(change);
-  IndexEditor editor(state_.index, state_.map);
+  IndexEditor editor(state_.index);
   for (const MapEdit& edit : change.edits) std::visit(editor, edit);
   state_.whereabouts.follow(change, state_.map.size() == 0);
   if (settle) settle();
@@ -90,8 +86,8 @@ void MapWriter::report(const std::string& problem) {
   StoreHealth health;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (problem == health_.problem) return;
-    health_ = {problem.empty(), problem, clock_()};
+    if (problem == health_.problem && store_.setAside() == health_.set_aside) return;
+    health_ = {problem.empty(), problem, clock_(), store_.setAside()};
     health = health_;
     watchers = watchers_;
   }

@@ -35,12 +35,20 @@ class MapWriter {
 
   MapWriter(PlaceStore store, MemoryState& state, Clock clock);
 
-  PlaceStore& store() { return store_; }
+  /// What `query` returns of the store. Throws PlaceMemoryError where it throws StoreError.
+  template <class Query>
+  auto query(const Query& query) {
+    try {
+      return query(store_);
+    } catch (const StoreError& error) {
+      fail(error);
+    }
+  }
 
   /// Makes the edits one change; without an edit there is none. `settle`, where given, runs in the
   /// moment in which everybody sees the change. Then listeners are told. Throws PlaceMemoryError
-  /// where the store fails, and std::invalid_argument where the edits do not fit the map; nothing is
-  /// changed then.
+  /// where the store fails, and std::invalid_argument where the edits do not fit the map; nothing
+  /// is changed then.
   void commit(std::vector<MapEdit> edits, const std::function<void()>& settle = nullptr);
 
   void listen(PlaceMemory::Listener listener);
@@ -50,6 +58,7 @@ class MapWriter {
  private:
   void keep(const MapChange& change);
   void apply(const MapChange& change, const std::function<void()>& settle);
+  [[noreturn]] void fail(const StoreError& error);
   void report(const std::string& problem);
 
   PlaceStore store_;

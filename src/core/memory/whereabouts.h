@@ -52,8 +52,8 @@ struct Settled {
 /// Keeps where the robot is, by the rules that Whereabouts states. Not thread-safe.
 class WhereaboutsOwner {
  public:
-  /// `located` false: there is no odometry; all places are of the first session then, and lie at its
-  /// origin. `next_session`: a session that no place has had yet.
+  /// `located` false: there is no odometry; all places are of the first session then, and lie at
+  /// its origin. `next_session`: a session that no place has had yet.
   WhereaboutsOwner(bool located, bool map_is_empty, SessionId next_session);
 
   const Whereabouts& now() const { return now_; }

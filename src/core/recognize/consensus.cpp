@@ -23,6 +23,7 @@ Consensus findConsensus(const std::vector<Opinion>& opinions, double cell_size) 
   const std::size_t heard = std::min(opinions.size(), kHeard);
   for (std::size_t i = 1; i < heard; ++i) {
     const Opinion& opinion = opinions[i];
+    if (opinion.session != best.session) continue;
     if (agree(opinion.map_from_scan, best.map_from_scan, cell_size)) {
       if (opinion.shift < opinions[consensus.chosen].shift) consensus.chosen = i;
       continue;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/recognize/place_frame.h"
 #include "place_memory/core/pose2d.h"
 
 namespace place_memory::core {
@@ -16,6 +17,7 @@ struct Opinion {
   /// The pose of the scan frame that follows; none: where the place lies is not known, and it
   /// contradicts every other.
   std::optional<Pose2d> map_from_scan;
+  SessionId session = 1;  ///< in whose frame that is
 };
 
 /// So many opinions are heard at the most.
@@ -35,7 +37,8 @@ struct Consensus {
 /// Neighbouring places see the same walls, so several may align rightly with one scan. Those that
 /// put the robot at the same spot as the best one do not contradict it, and of them the place is
 /// chosen that the robot stands nearest to (paper 7: a place is the region about its location). The
-/// best kHeard are heard. `opinions` is not empty.
+/// best kHeard are heard, and of them those of the best one's session: where the others put the
+/// robot tells nothing of where it puts it. `opinions` is not empty.
 Consensus findConsensus(const std::vector<Opinion>& opinions, double cell_size);
 
 }  // namespace place_memory::core

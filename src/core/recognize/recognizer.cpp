@@ -37,7 +37,7 @@ void lookAgain(const QueryPlanes& query, const PlaceIndex& places, const Lattice
     const Alignment& alignment = found.alignment;
     first.push_back(alignment.score);
     if (again.size() >= kLookedAtAgain) continue;
-    const CellPlanes cells = places.cells(found.entry->id);
+    const CellPlanes cells = places.cells(found.place);
     again.push_back(scoreAgain(alignment.score,
                                countClosely(query.at(alignment.turn), alignment.shift, cells),
                                falloffAt(query, cells, metric, window, alignment), look));
@@ -50,29 +50,33 @@ void lookAgain(const QueryPlanes& query, const PlaceIndex& places, const Lattice
   });
 }
 
-Consensus consensusOf(const std::vector<PlaceAlignment>& all, bool located, double cell_size) {
+std::vector<PlaceId> foremostOf(const std::vector<PlaceAlignment>& all) {
+  std::vector<PlaceId> places;
+  for (std::size_t i = 0; i < std::min(all.size(), kHeard); ++i) places.push_back(all[i].place);
+  return places;
+}
+
+Consensus consensusOf(const std::vector<PlaceAlignment>& all, const std::vector<PlaceFrame>& frames,
+                      bool located, double cell_size) {
   std::vector<Opinion> opinions;
-  const std::size_t heard = std::min(all.size(), kHeard);
-  opinions.reserve(heard);
-  for (std::size_t i = 0; i < heard; ++i) {
+  opinions.reserve(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
     const PlaceAlignment& found = all[i];
     const Pose2d place_from_scan = poseOf(found.alignment, cell_size);
-    opinions.push_back(
-        {found.alignment.score, std::hypot(place_from_scan.x, place_from_scan.y), std::nullopt});
-    if (located) opinions.back().map_from_scan = found.entry->map_from_place * place_from_scan;
+    opinions.push_back({found.alignment.score, std::hypot(place_from_scan.x, place_from_scan.y),
+                        std::nullopt, frames[i].session});
+    if (located) opinions.back().map_from_scan = frames[i].map_from_place * place_from_scan;
   }
   return findConsensus(opinions, cell_size);
 }
 
 /// The robot's pose and its covariance, turned from the place's frame into the map's (paper 9).
-void locate(const Scan& scan, const PlaceAlignment& best, const PoseEstimate& estimate,
+void locate(const Scan& scan, const Pose2d& map_from_place, const PoseEstimate& estimate,
             Recognition& recognition) {
   recognition.matches.front().place_from_scan = estimate.place_from_scan;
-  recognition.map_from_robot =
-      best.entry->map_from_place * estimate.place_from_scan * scan.robot_in_scan;
+  recognition.map_from_robot = map_from_place * estimate.place_from_scan * scan.robot_in_scan;
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn.topLeftCorner<2, 2>() =
-      Eigen::Rotation2Dd(best.entry->map_from_place.yaw).toRotationMatrix();
+  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(map_from_place.yaw).toRotationMatrix();
   const Eigen::Matrix3d covariance = turn * estimate.covariance * turn.transpose();
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index column = 0; column < 3; ++column) {
@@ -94,8 +98,10 @@ Recognizer::Recognizer(const RecognizerOptions& options) : options_(options) {
   require(options.confidence > 0.5 && options.confidence < 1.0, "confidence must lie in (0.5, 1)");
 }
 
-Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, double heading_window,
-                                  const std::function<bool()>& cancelled) const {
+std::optional<Recognition> Recognizer::recognize(const Scan& scan, const PlaceIndex& places,
+                                                 const LookUpFrames& look_up_frames,
+                                                 double heading_window,
+                                                 const std::function<bool()>& cancelled) const {
   require(heading_window >= 0.0 && heading_window <= kPi + 1e-6,
           "heading_window must lie in [0, pi]");
   const double cell_size = scan.grid.geometry().cell_size;
@@ -107,19 +113,21 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
 
   std::vector<PlaceAlignment> all =
       searchPlaces(query, places, metric, window, options_.method, cancelled);
-  if (all.empty()) return {};
+  if (all.empty()) return Recognition{};
   if (options_.second_look) lookAgain(query, places, metric, window, *options_.second_look, all);
-  const Consensus consensus = consensusOf(all, options_.located, cell_size);
+  const auto frames = look_up_frames(foremostOf(all));
+  if (!frames) return std::nullopt;
+  const Consensus consensus = consensusOf(all, *frames, options_.located, cell_size);
   const auto chosen = all.begin() + static_cast<std::ptrdiff_t>(consensus.chosen);
   std::rotate(all.begin(), chosen, chosen + 1);
 
-  const CellPlanes cells = places.cells(all.front().entry->id);
+  const CellPlanes cells = places.cells(all.front().place);
 
   Recognition recognition;
   recognition.matches.reserve(all.size());
   for (const PlaceAlignment& found : all) {
     recognition.matches.push_back(
-        {found.entry->id, found.alignment.score, poseOf(found.alignment, cell_size), 0.0});
+        {found.place, found.alignment.score, poseOf(found.alignment, cell_size), 0.0});
   }
   // Unsensed cells may earn points, so scores alone do not tell such a scan from a good one.
   if (!sensedNothing(scan.grid)) {
@@ -131,7 +139,7 @@ Recognition Recognizer::recognize(const Scan& scan, const PlaceIndex& places, do
                   options_.calibration.scale);
     judge(support, options_.calibration, options_.confidence, recognition);
   }
-  locate(scan, all.front(),
+  locate(scan, (*frames)[consensus.chosen].map_from_place,
          estimatePose(query, cells, metric, window, all.front().alignment, cell_size,
                       options_.calibration.sharpness),
          recognition);

@@ -2,8 +2,10 @@
 #define PLACE_MEMORY_CORE_RECOGNIZE_RECOGNIZER_H
 
 #include <functional>
+#include <optional>
 
 #include "core/index/place_index.h"
+#include "core/recognize/place_frame.h"
 #include "place_memory/core/recognition.h"
 #include "place_memory/core/recognizer_options.h"
 #include "place_memory/core/scan.h"
@@ -20,8 +22,12 @@ class Recognizer {
   /// [rad]; pi stands for any heading. `cancelled`, where given, is polled between blocks of
   /// places; once it returns true the call throws std::runtime_error. Throws std::invalid_argument
   /// where the window is out of range. Thread-safe.
-  Recognition recognize(const Scan& scan, const PlaceIndex& places, double heading_window,
-                        const std::function<bool()>& cancelled = nullptr) const;
+  ///
+  /// `frames` is called once, for the places that rank first. Where one of them is gone there is no
+  /// answer: the caller asks again with a newer index.
+  std::optional<Recognition> recognize(const Scan& scan, const PlaceIndex& places,
+                                       const LookUpFrames& frames, double heading_window,
+                                       const std::function<bool()>& cancelled = nullptr) const;
 
  private:
   RecognizerOptions options_;

@@ -41,6 +41,8 @@ std::uint8_t toStatus<LearnPlace::Response>(Reason reason) {
     case Reason::kInvalidLabel:
       return LearnPlace::Response::INVALID_LABEL;
     case Reason::kInvalidScan:
+    case Reason::kWrongCells:
+    case Reason::kAlreadyLearned:
       return LearnPlace::Response::INVALID_SCAN;
     default:
       return LearnPlace::Response::STORE_FAILED;
@@ -104,7 +106,7 @@ std::string percent(double probability) {
   return std::to_string(std::lround(100.0 * probability)) + " %";
 }
 
-std::string inWords(const core::LabelledRecognition& answer) {
+std::string inWords(const core::PlaceMemory::Answer& answer) {
   const core::Recognition& found = answer.recognition;
   if (found.matches.empty()) return "not recognised: no place was learned yet";
   const std::string best = quoted(answer.labels.front()) + " with probability " +
@@ -163,11 +165,13 @@ void PlaceServices::learn(const LearnPlace::Request& request, LearnPlace::Respon
   const std::shared_ptr<const core::Scan> scan = takeScan(context_.scan, response);
   if (!scan) return;
   change(response, [&] {
-    const core::Place place = context_.memory.learn(*scan, request.label);
+    const core::PlaceMemory::Learned learned = context_.memory.learn(*scan, request.label);
+    const core::Place& place = learned.place;
     context_.publisher.publishLearned(place.id);
     response.place_id = place.id;
     response.label = place.label;
     response.message = "learned " + quoted(place.label);
+    if (learned.apart) response.message += ", " + learned.message;
     if (!context_.store_problem.empty()) {
       response.message += ", in memory only: " + context_.store_problem;
     }
@@ -190,13 +194,14 @@ void PlaceServices::recognize(const RecognizePlace::Request& request,
   const auto is_cancelled = [this] { return cancelled_ || !ros::ok(); };
   try {
     const auto start = std::chrono::steady_clock::now();
-    const core::LabelledRecognition answer = context_.memory.recognize(*scan, window, is_cancelled);
+    const core::PlaceMemory::Answer answer = context_.memory.recognize(*scan, window, is_cancelled);
     const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
     response.recognition =
         toMessage(answer, makeHeader(context_.parameters.map_frame, toRosTime(scan->end)),
                   ros::Duration(duration.count()));
     response.message = inWords(answer);
-    adapt(*scan, answer);
+    tellAdaptation(answer);
+    if (answer.joined > 0) context_.publisher.publishMap();
     context_.publisher.publishRecognition(*scan, answer, response.recognition);
   } catch (const std::exception& error) {
     response.status =
@@ -205,20 +210,18 @@ void PlaceServices::recognize(const RecognizePlace::Request& request,
   }
 }
 
-// The answer stands whether or not the place can follow.
-void PlaceServices::adapt(const core::Scan& scan, const core::LabelledRecognition& answer) {
-  try {
-    if (context_.memory.adapt(scan, answer.recognition)) {
-      ROS_INFO("The scan was folded into %s", quoted(answer.labels.front()).c_str());
-    }
-  } catch (const core::PlaceMemoryError& error) {
-    ROS_WARN("The scan was not folded into %s: %s", quoted(answer.labels.front()).c_str(),
-             error.what());
+void PlaceServices::tellAdaptation(const core::PlaceMemory::Answer& answer) {
+  if (answer.adapted) {
+    ROS_INFO("The scan was folded into %s", quoted(answer.labels.front()).c_str());
+  }
+  if (!answer.adapt_problem.empty()) {
+    ROS_WARN("%s is as it was: %s", quoted(answer.labels.front()).c_str(),
+             answer.adapt_problem.c_str());
   }
 }
 
 void PlaceServices::list(const ListPlaces::Request& /*request*/, ListPlaces::Response& response) {
-  for (const core::Place& place : context_.memory.graph().places()) {
+  for (const core::Place& place : context_.memory.map().places) {
     response.places.push_back(toMessage(place));
   }
   response.message = placesInWords(response.places.size());

@@ -51,7 +51,7 @@ class PlaceServices {
 
   void learn(const LearnPlace::Request& request, LearnPlace::Response& response);
   void recognize(const RecognizePlace::Request& request, RecognizePlace::Response& response);
-  void adapt(const core::Scan& scan, const core::LabelledRecognition& answer);
+  static void tellAdaptation(const core::PlaceMemory::Answer& answer);
   void list(const ListPlaces::Request& request, ListPlaces::Response& response);
   void rename(const RenamePlace::Request& request, RenamePlace::Response& response);
   void remove(const RemovePlace::Request& request, RemovePlace::Response& response);

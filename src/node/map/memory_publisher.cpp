@@ -43,10 +43,10 @@ void MemoryPublisher::publishScan(const core::Scan& scan) {
 
 void MemoryPublisher::publishMap() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const core::PlaceGraph graph = memory_.graph();
+  const core::MapSnapshot map = memory_.map();
   const std_msgs::Header header = makeHeader(parameters_.map_frame, ros::Time::now());
-  place_graph_.publish(toMessage(graph, header));
-  place_markers_.publish(toMarkers(graph, header));
+  place_graph_.publish(toMessage(map, header));
+  place_markers_.publish(toMarkers(map, header));
   publishCurrentPlaceLocked();
 }
 
@@ -59,9 +59,9 @@ void MemoryPublisher::publishLearned(core::PlaceId id) {
 }
 
 void MemoryPublisher::publishRecognition(const core::Scan& scan,
-                                         const core::LabelledRecognition& recognition,
+                                         const core::PlaceMemory::Answer& answer,
                                          const Recognition& message) {
-  const core::Recognition& found = recognition.recognition;
+  const core::Recognition& found = answer.recognition;
   const bool is_recognized = found.verdict == core::Verdict::kRecognized;
   recognition_.publish(message);
   if (is_recognized) {
@@ -72,7 +72,7 @@ void MemoryPublisher::publishRecognition(const core::Scan& scan,
   }
   publishMatchedGrid(
       scan, found.verdict == core::Verdict::kUnknown ? core::PlaceMatch() : found.matches.front());
-  if (recognition.superseded) return;
+  if (answer.superseded) return;
   const std::lock_guard<std::mutex> lock(mutex_);
   current_ = is_recognized ? found.matches.front().id : core::kNoPlace;
   publishCurrentPlaceLocked();

@@ -35,7 +35,7 @@ class MemoryPublisher {
   void publishLearned(core::PlaceId id);
 
   /// `message` is `recognition` as it is answered.
-  void publishRecognition(const core::Scan& scan, const core::LabelledRecognition& recognition,
+  void publishRecognition(const core::Scan& scan, const core::PlaceMemory::Answer& answer,
                           const Recognition& message);
 
  private:

@@ -3,6 +3,7 @@
 #include <geometry_msgs/Point.h>
 #include <visualization_msgs/Marker.h>
 
+#include <algorithm>
 #include <string>
 
 #include "node/conversions.h"
@@ -72,32 +73,36 @@ geometry_msgs::Point makePoint(const core::Place& place) {
   return point;
 }
 
-Marker makeLinks(const std_msgs::Header& header, const core::PlaceGraph& graph,
-                 const std::vector<core::PlaceLink>& links) {
+const core::Place& find(const core::MapSnapshot& map, core::PlaceId id) {
+  return *std::lower_bound(
+      map.places.begin(), map.places.end(), id,
+      [](const core::Place& place, core::PlaceId key) { return place.id < key; });
+}
+
+Marker makeLinks(const std_msgs::Header& header, const core::MapSnapshot& map) {
   Marker marker = makeMarker(header, "links", Marker::LINE_LIST, 0);
   marker.scale.x = kLinkWidth;
   marker.color = color(0.1F, 0.3F, 0.7F, 0.9F);
-  for (const core::PlaceLink& link : links) {
-    marker.points.push_back(makePoint(*graph.find(link.first)));
-    marker.points.push_back(makePoint(*graph.find(link.second)));
+  for (const core::PlaceLink& link : map.links) {
+    marker.points.push_back(makePoint(find(map, link.first)));
+    marker.points.push_back(makePoint(find(map, link.second)));
   }
   return marker;
 }
 
 }  // namespace
 
-visualization_msgs::MarkerArray toMarkers(const core::PlaceGraph& graph,
+visualization_msgs::MarkerArray toMarkers(const core::MapSnapshot& map,
                                           const std_msgs::Header& header) {
   visualization_msgs::MarkerArray array;
   Marker& wipe = array.markers.emplace_back(makeMarker(header, "", Marker::CUBE, 0));
   wipe.action = Marker::DELETEALL;
-  for (const core::Place& place : graph.places()) {
+  for (const core::Place& place : map.places) {
     array.markers.push_back(makeRegion(header, place));
     array.markers.push_back(makeLabel(header, place));
   }
-  const std::vector<core::PlaceLink> links = graph.links();
   // rviz reports a line list without points as an error.
-  if (!links.empty()) array.markers.push_back(makeLinks(header, graph, links));
+  if (!map.links.empty()) array.markers.push_back(makeLinks(header, map));
   return array;
 }
 

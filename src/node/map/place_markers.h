@@ -4,7 +4,7 @@
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "place_memory/core/place_graph.h"
+#include "place_memory/core/place_memory.h"
 
 namespace place_memory::node {
 
@@ -13,7 +13,7 @@ namespace place_memory::node {
 ///
 /// The first marker deletes all others, so that the latest array is the whole map for whoever gets
 /// it, and what was removed vanishes.
-visualization_msgs::MarkerArray toMarkers(const core::PlaceGraph& graph,
+visualization_msgs::MarkerArray toMarkers(const core::MapSnapshot& map,
                                           const std_msgs::Header& header);
 
 }  // namespace place_memory::node

@@ -39,7 +39,7 @@ PlaceIndex spliced(std::size_t places) {
       std::copy(other.empty.begin() + static_cast<std::ptrdiff_t>(from), other.empty.end(),
                 cells.empty.begin() + static_cast<std::ptrdiff_t>(from));
     }
-    index.put(static_cast<PlaceId>(i + 1), {}, cells);
+    index.put(static_cast<PlaceId>(i + 1), cells);
   }
   return index;
 }
@@ -60,7 +60,7 @@ std::vector<PlaceAlignment> search(const EvidenceGrid& grid, const PlaceIndex& p
 void expectSame(const std::vector<PlaceAlignment>& a, const std::vector<PlaceAlignment>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(a[i].entry->id, b[i].entry->id) << i;
+    ASSERT_EQ(a[i].place, b[i].place) << i;
     ASSERT_EQ(a[i].alignment.score, b[i].alignment.score) << i;
     ASSERT_EQ(a[i].alignment.turn, b[i].alignment.turn) << i;
     ASSERT_EQ(a[i].alignment.shift.columns, b[i].alignment.shift.columns) << i;
@@ -73,7 +73,7 @@ void expectRanked(const std::vector<PlaceAlignment>& found) {
     const double before = found[i - 1].alignment.score;
     ASSERT_GE(before, found[i].alignment.score) << i;
     if (before == found[i].alignment.score) {
-      ASSERT_LT(found[i - 1].entry->id, found[i].entry->id) << i;
+      ASSERT_LT(found[i - 1].place, found[i].place) << i;
     }
   }
 }
@@ -87,7 +87,7 @@ TEST(PlaceSearch, FindsWhatTheExhaustiveSearchFinds) {
       const EvidenceGrid grid = scanIn(id, engine, 0.25);
       const auto found = search(grid, places, kWindow, pool);
       const auto best = search(grid, places, kWindow, pool, SearchMethod::kExhaustive);
-      EXPECT_EQ(found.front().entry->id, best.front().entry->id) << size;
+      EXPECT_EQ(found.front().place, best.front().place) << size;
       EXPECT_EQ(found.front().alignment.score, best.front().alignment.score) << size;
     }
   }
@@ -101,7 +101,7 @@ TEST(PlaceSearch, FindsWhatTheExhaustiveSearchFindsAtAnyHeading) {
     const EvidenceGrid grid = scanIn(id, engine, kPi);
     const auto found = search(grid, places, kAnyHeading, pool);
     const auto best = search(grid, places, kAnyHeading, pool, SearchMethod::kExhaustive);
-    EXPECT_EQ(found.front().entry->id, best.front().entry->id);
+    EXPECT_EQ(found.front().place, best.front().place);
     EXPECT_EQ(found.front().alignment.score, best.front().alignment.score);
   }
 }
@@ -119,7 +119,7 @@ TEST(PlaceSearch, TakesPairsWhereGridsOverlapAlone) {
     const auto best =
         searchPlaces(query, places, metric, kWindow, SearchMethod::kExhaustive, nullptr, pool);
     ASSERT_EQ(found.size(), places.size());
-    EXPECT_EQ(found.front().entry->id, best.front().entry->id);
+    EXPECT_EQ(found.front().place, best.front().place);
     EXPECT_EQ(found.front().alignment.score, best.front().alignment.score);
   }
 }
@@ -171,7 +171,7 @@ TEST(PlaceSearch, RanksEveryPlaceOfAnUsualMemory) {
     ASSERT_EQ(found.size(), size);
     expectRanked(found);
     std::vector<PlaceId> ids;
-    for (const PlaceAlignment& place : found) ids.push_back(place.entry->id);
+    for (const PlaceAlignment& place : found) ids.push_back(place.place);
     std::sort(ids.begin(), ids.end());
     for (std::size_t i = 0; i < size; ++i) ASSERT_EQ(ids[i], static_cast<PlaceId>(i + 1));
   }
@@ -196,7 +196,7 @@ TEST(PlaceSearch, TellsWhatEachAlignmentScores) {
   for (const PlaceAlignment& place :
        searchPlaces(query, places, kMetric, kWindow, SearchMethod::kRestarts, nullptr, pool)) {
     const Alignment& at = place.alignment;
-    const CellPlanes cells = places.cells(place.entry->id);
+    const CellPlanes cells = places.cells(place.place);
     const PairCounts counts = countPairs(query.at(at.turn), at.shift, cells);
     const int shift = at.shift.columns * at.shift.columns + at.shift.rows * at.shift.rows;
     EXPECT_NEAR(at.score,
@@ -215,7 +215,7 @@ TEST(PlaceSearch, TheFirstPlacesStandOnSummits) {
       searchPlaces(query, places, kMetric, kWindow, SearchMethod::kRestarts, nullptr, pool);
   for (std::size_t i = 0; i < kSurelyClimbed; ++i) {
     const Alignment& at = found[i].alignment;
-    const CellPlanes cells = places.cells(found[i].entry->id);
+    const CellPlanes cells = places.cells(found[i].place);
     for (const int by : {-1, 1}) {
       const CellShift aside{at.shift.columns + by, at.shift.rows};
       const CellShift ahead{at.shift.columns, at.shift.rows + by};
@@ -236,12 +236,12 @@ TEST(PlaceSearch, EqualPlacesGoByTheirIds) {
   support::WorkerPool pool(2);
   const CellPlanes room = roomCells(7);
   PlaceIndex places;
-  for (PlaceId id = 1200; id >= 1; --id) places.put(id, {}, room);
+  for (PlaceId id = 1200; id >= 1; --id) places.put(id, room);
   std::mt19937 engine(68);
   const auto found = search(scanIn(7, engine, 0.25), places, kWindow, pool);
   ASSERT_EQ(found.size(), kMostRanked);
   for (std::size_t i = 0; i < kSurelyClimbed; ++i) {
-    EXPECT_EQ(found[i].entry->id, static_cast<PlaceId>(i + 1));
+    EXPECT_EQ(found[i].place, static_cast<PlaceId>(i + 1));
   }
 }
 

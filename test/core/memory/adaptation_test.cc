@@ -13,6 +13,16 @@ namespace {
 
 constexpr double kHeadingWindow = 0.3;
 
+/// Has the store fail whenever a row of the table is to be changed.
+void refuseChangesOf(const std::string& store, const std::string& table) {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(store.c_str(), &database), SQLITE_OK);
+  const std::string trigger =
+      "CREATE TRIGGER full AFTER UPDATE ON " + table + " BEGIN SELECT RAISE(ABORT, 'full'); END";
+  ASSERT_EQ(sqlite3_exec(database, trigger.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(database);
+}
+
 /// Scans of rooms that end one second after the other.
 class AdaptationTest : public testing::Test {
  protected:
@@ -31,11 +41,8 @@ class AdaptationTest : public testing::Test {
     return options;
   }
 
-  static Recognition recognizedAs(PlaceId id, const Pose2d& place_from_scan = {}) {
-    Recognition recognition;
-    recognition.verdict = Verdict::kRecognized;
-    recognition.matches = {{id, 1.0, place_from_scan, 0.99}};
-    return recognition;
+  static bool fold(PlaceMemory& memory, const Scan& scan) {
+    return memory.recognize(scan, kHeadingWindow).adapted;
   }
 
   const TemporaryFolder folder_;
@@ -46,27 +53,35 @@ class AdaptationTest : public testing::Test {
 };
 
 TEST_F(AdaptationTest, APlaceBecomesWhatItIsRecognizedIn) {
-  PlaceMemory memory(options());
-  const PlaceId id = memory.learn(look(before_), "a").id;
+  PlaceMemoryOptions where_it_was = options();
+  where_it_was.recognizer.position_window = 1e-3;
+  PlaceMemory memory(where_it_was);
+  const PlaceId id = memory.learn(look(before_), "a").place.id;
   for (int visit = 0; visit < 12; ++visit) {
-    EXPECT_TRUE(memory.adapt(look(after_), recognizedAs(id)));
+    EXPECT_TRUE(memory.recognize(look(after_), 0.0).adapted);
   }
+  // It is laid where it matched, which in a changed room is some way off within a cell.
   const EvidenceGrid now = after_.scanFrom({}).grid;
   const EvidenceGrid learned = memory.grid(id);
+  int clear = 0;
+  int agree = 0;
   for (std::size_t i = 0; i < now.cells().size(); ++i) {
     const int sensed = now.cells()[i];
-    if (std::abs(sensed) <= 4) continue;
-    EXPECT_GT(learned.cells()[i] * sensed, 0) << "cell " << i;
+    if (std::abs(sensed) <= 20) continue;
+    ++clear;
+    if (learned.cells()[i] * sensed > 0) ++agree;
   }
+  EXPECT_GT(clear, 500);
+  EXPECT_GT(agree, 0.9 * clear);
 }
 
 TEST_F(AdaptationTest, MatchingSeesTheAdaptedGridAtOnce) {
   PlaceMemory memory(options());
-  const PlaceId id = memory.learn(look(before_), "a").id;
+  memory.learn(look(before_), "a");
   const Scan changed = look(after_);
   const double first = memory.recognize(changed, kHeadingWindow).recognition.matches[0].score;
-  for (int visit = 0; visit < 6; ++visit) memory.adapt(look(after_), recognizedAs(id));
-  const LabelledRecognition answer = memory.recognize(changed, kHeadingWindow);
+  for (int visit = 0; visit < 6; ++visit) fold(memory, look(after_));
+  const PlaceMemory::Answer answer = memory.recognize(changed, kHeadingWindow);
   EXPECT_GT(answer.recognition.matches[0].score, first);
   EXPECT_EQ(answer.recognition.verdict, Verdict::kRecognized);
 }
@@ -74,11 +89,11 @@ TEST_F(AdaptationTest, MatchingSeesTheAdaptedGridAtOnce) {
 TEST_F(AdaptationTest, TheScanIsLaidWhereItAligns) {
   PlaceMemory memory(options());
   const Pose2d away{0.35, -0.2, 0.15};
-  const PlaceId id = memory.learn(look(before_), "a").id;
+  const PlaceId id = memory.learn(look(before_), "a").place.id;
   const EvidenceGrid learned = memory.grid(id);
-  const LabelledRecognition answer = memory.recognize(look(before_, away), kHeadingWindow);
+  const PlaceMemory::Answer answer = memory.recognize(look(before_, away), kHeadingWindow);
   ASSERT_EQ(answer.recognition.verdict, Verdict::kRecognized);
-  ASSERT_TRUE(memory.adapt(look(before_, away), answer.recognition));
+  ASSERT_TRUE(answer.adapted);
   int clear = 0;
   int kept = 0;
   for (std::size_t i = 0; i < learned.cells().size(); ++i) {
@@ -87,83 +102,92 @@ TEST_F(AdaptationTest, TheScanIsLaidWhereItAligns) {
     if (learned.cells()[i] * memory.grid(id).cells()[i] > 0) ++kept;
     if (clear == 300) break;
   }
-  EXPECT_GT(kept, 0.95 * clear);
+  EXPECT_GT(kept, 0.9 * clear);
 }
 
 TEST_F(AdaptationTest, ThePlaceStaysWhereItIs) {
   PlaceMemory memory(options());
   Scan scan = look(before_);
   scan.odom_from_scan = {3.0, 4.0, 0.5};
-  const PlaceId id = memory.learn(scan, "a").id;
-  scan = look(before_);
+  const PlaceId id = memory.learn(scan, "a").place.id;
+  scan = look(before_, {0.1, 0.1, 0.1});
   scan.odom_from_scan = {9.0, 9.0, 0.0};
-  ASSERT_TRUE(memory.adapt(scan, recognizedAs(id, {0.1, 0.1, 0.1})));
-  EXPECT_EQ(memory.place(id)->map_from_place.x, 3.0);
+  ASSERT_TRUE(fold(memory, scan));
+  EXPECT_EQ(memory.place(id)->map_from_place, (Pose2d{3.0, 4.0, 0.5}));
   EXPECT_EQ(memory.place(id)->learned, std::chrono::seconds(1));
 }
 
 TEST_F(AdaptationTest, OnlyWhatWasRecognizedIsFolded) {
-  PlaceMemory memory(options());
-  const PlaceId id = memory.learn(look(before_), "a").id;
+  PlaceMemoryOptions doubtful = options();
+  doubtful.recognizer.calibration.right = {-20.0};
+  PlaceMemory memory(doubtful);
+  const PlaceId id = memory.learn(look(before_), "a").place.id;
   const EvidenceGrid learned = memory.grid(id);
-  for (const Verdict verdict : {Verdict::kUnknown, Verdict::kAmbiguous}) {
-    Recognition recognition = recognizedAs(id);
-    recognition.verdict = verdict;
-    EXPECT_FALSE(memory.adapt(look(after_), recognition));
-  }
-  EXPECT_FALSE(memory.adapt(look(after_), Recognition{}));
+  const PlaceMemory::Answer answer = memory.recognize(look(after_), kHeadingWindow);
+  ASSERT_NE(answer.recognition.verdict, Verdict::kRecognized);
+  EXPECT_FALSE(answer.adapted);
   EXPECT_EQ(memory.grid(id), learned);
 }
 
 TEST_F(AdaptationTest, NothingIsFoldedUnlessAskedFor) {
   PlaceMemory memory(options(false));
-  const PlaceId id = memory.learn(look(before_), "a").id;
+  const PlaceId id = memory.learn(look(before_), "a").place.id;
   const EvidenceGrid learned = memory.grid(id);
-  EXPECT_FALSE(memory.adapt(look(after_), recognizedAs(id)));
+  EXPECT_FALSE(fold(memory, look(after_)));
   EXPECT_EQ(memory.grid(id), learned);
 }
 
 TEST_F(AdaptationTest, AScanIsEvidenceOnce) {
   PlaceMemory memory(options());
   const Scan first = look(before_);
-  const PlaceId id = memory.learn(first, "a").id;
-  EXPECT_FALSE(memory.adapt(first, recognizedAs(id)));
+  const PlaceId id = memory.learn(first, "a").place.id;
+  EXPECT_FALSE(fold(memory, first));
   const Scan second = look(after_);
-  EXPECT_TRUE(memory.adapt(second, recognizedAs(id)));
+  EXPECT_TRUE(fold(memory, second));
   const EvidenceGrid learned = memory.grid(id);
-  EXPECT_FALSE(memory.adapt(second, recognizedAs(id)));
+  EXPECT_FALSE(fold(memory, second));
   EXPECT_EQ(memory.grid(id), learned);
 }
 
 TEST_F(AdaptationTest, AdaptedPlacesSurviveARestart) {
   EvidenceGrid adapted;
-  double score = 0.0;
-  const Scan changed = look(after_);
   {
     PlaceMemory memory(options());
-    const PlaceId id = memory.learn(look(before_), "a").id;
-    memory.adapt(look(after_), recognizedAs(id));
+    const PlaceId id = memory.learn(look(before_), "a").place.id;
+    fold(memory, look(after_));
     adapted = memory.grid(id);
     EXPECT_FALSE(adapted == before_.scanFrom({}).grid);
-    score = memory.recognize(changed, kHeadingWindow).recognition.matches[0].score;
   }
   PlaceMemory memory(options());
   EXPECT_EQ(memory.grid(1), adapted);
-  EXPECT_EQ(memory.recognize(changed, kHeadingWindow).recognition.matches[0].score, score);
+  // What is matched is what is stored.
+  PlaceMemoryOptions other;
+  other.recognizer = options().recognizer;
+  PlaceMemory fresh(other);
+  Scan scan = look(before_);
+  scan.grid = adapted;
+  fresh.learn(scan, "a");
+  const Scan changed = look(after_);
+  EXPECT_EQ(memory.recognize(changed, kHeadingWindow).recognition.matches[0].score,
+            fresh.recognize(changed, kHeadingWindow).recognition.matches[0].score);
 }
 
-TEST_F(AdaptationTest, APlaceThatIsGoneIsNotBroughtBack) {
+TEST_F(AdaptationTest, APlaceRemovedWhileItIsMatchedIsNotBroughtBack) {
   PlaceMemory memory(options());
-  const PlaceId id = memory.learn(look(before_), "a").id;
-  memory.remove("a");
-  EXPECT_FALSE(memory.adapt(look(after_), recognizedAs(id)));
+  memory.learn(look(before_), "a");
+  const auto remove_meanwhile = [&memory] {
+    if (memory.size() > 0) memory.remove("a");
+    return false;
+  };
+  const auto answer = memory.recognize(look(after_), kHeadingWindow, remove_meanwhile);
+  EXPECT_FALSE(answer.adapted);
+  EXPECT_TRUE(answer.labels.empty());
   EXPECT_EQ(memory.size(), 0U);
-  EXPECT_TRUE(memory.recognize(look(after_), kHeadingWindow).labels.empty());
 }
 
 TEST_F(AdaptationTest, PlacesComeAndGoWhileTheyAdapt) {
   PlaceMemory memory(options());
-  const PlaceId stays = memory.learn(look(before_), "stays").id;
+  memory.learn(look(before_), "stays");
   std::vector<Scan> scans;
   for (int i = 0; i < 60; ++i) scans.push_back(look(after_));
   std::thread editor([&] {
@@ -172,35 +196,29 @@ TEST_F(AdaptationTest, PlacesComeAndGoWhileTheyAdapt) {
       memory.remove("goes");
     }
   });
-  for (const Scan& scan : scans) memory.adapt(scan, recognizedAs(memory.graph().lastId()));
+  int folded = 0;
+  for (const Scan& scan : scans) folded += fold(memory, scan) ? 1 : 0;
   editor.join();
+  EXPECT_GT(folded, 0);
   EXPECT_EQ(memory.size(), 1U);
-  EXPECT_TRUE(memory.adapt(look(after_), recognizedAs(stays)));
+  EXPECT_TRUE(fold(memory, look(after_)));
   EXPECT_EQ(memory.recognize(look(after_), kHeadingWindow).labels,
             std::vector<std::string>{"stays"});
 }
 
-TEST_F(AdaptationTest, WhatCannotBeStoredChangesNothing) {
+TEST_F(AdaptationTest, WhatCannotBeStoredChangesNothingButTheAnswerStands) {
   PlaceMemory(options()).learn(look(before_), "a");
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(store_.c_str(), &database), SQLITE_OK);
-  ASSERT_EQ(sqlite3_exec(database,
-                         "CREATE TRIGGER full AFTER UPDATE ON grid BEGIN SELECT RAISE(ABORT, "
-                         "'full'); END",
-                         nullptr, nullptr, nullptr),
-            SQLITE_OK);
-  sqlite3_close(database);
+  refuseChangesOf(store_, "grid");
   PlaceMemory memory(options());
-  const Scan scan = look(after_);
-  const double score = memory.recognize(scan, kHeadingWindow).recognition.matches[0].score;
-  try {
-    memory.adapt(scan, recognizedAs(1));
-    FAIL() << "nothing was refused";
-  } catch (const PlaceMemoryError& error) {
-    EXPECT_EQ(error.reason(), PlaceMemoryError::Reason::kStoreFailed);
-  }
+  const std::uint64_t version = memory.version();
+  const PlaceMemory::Answer answer = memory.recognize(look(after_), kHeadingWindow);
+  EXPECT_EQ(answer.recognition.verdict, Verdict::kRecognized);
+  EXPECT_FALSE(answer.adapted);
+  EXPECT_NE(answer.adapt_problem, "");
   EXPECT_EQ(memory.grid(1), before_.scanFrom({}).grid);
-  EXPECT_EQ(memory.recognize(scan, kHeadingWindow).recognition.matches[0].score, score);
+  EXPECT_EQ(memory.version(), version);
+  EXPECT_EQ(memory.recognize(look(after_), kHeadingWindow).recognition.matches[0].score,
+            answer.recognition.matches[0].score);
 }
 
 TEST_F(AdaptationTest, RefusesARetentionOutOfRange) {

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/random_scan.h"
@@ -16,16 +17,29 @@ constexpr double kHeadingWindow = 0.2;
 
 class PlaceMemoryTest : public testing::Test {
  protected:
+  using Ends = std::pair<PlaceId, PlaceId>;
+
   Place learn(unsigned seed, const std::string& label) {
-    return memory_.learn(makeRandomScan(seed), label);
+    return memory_.learn(makeRandomScan(seed), label).place;
   }
-  LabelledRecognition recognize(unsigned seed, const std::function<bool()>& cancelled = nullptr) {
+  PlaceMemory::Answer recognize(unsigned seed, const std::function<bool()>& cancelled = nullptr) {
     return memory_.recognize(makeRandomScan(seed), kHeadingWindow, cancelled);
   }
   std::vector<std::string> labels() const {
     std::vector<std::string> labels;
-    for (const Place& place : memory_.graph().places()) labels.push_back(place.label);
+    for (const Place& place : memory_.map().places) labels.push_back(place.label);
     return labels;
+  }
+
+  std::vector<Ends> links() const {
+    std::vector<Ends> ends;
+    for (const PlaceLink& link : memory_.map().links) ends.emplace_back(link.first, link.second);
+    return ends;
+  }
+  /// Label of the place that the next one is linked to; "": none.
+  std::string previous() const {
+    const auto place = memory_.place(memory_.whereabouts().previous);
+    return place ? place->label : "";
   }
 
   // Random scans agree in most cells, and a place with its own scan in all 4096 of them.

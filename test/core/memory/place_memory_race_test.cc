@@ -14,7 +14,7 @@ TEST_F(PlaceMemoryTest, APlaceRemovedDuringTheMatchIsNotInTheAnswer) {
   learn(1, "a");
   learn(2, "b");
   bool removed = false;
-  const LabelledRecognition answer = recognize(1, [&] {
+  const PlaceMemory::Answer answer = recognize(1, [&] {
     if (!removed) memory_.remove("a");
     removed = true;
     return false;
@@ -27,7 +27,7 @@ TEST_F(PlaceMemoryTest, APlaceRemovedDuringTheMatchIsNotInTheAnswer) {
 TEST_F(PlaceMemoryTest, APlaceLearnedDuringTheMatchComesToTheNextOne) {
   learn(1, "a");
   bool learned = false;
-  const LabelledRecognition answer = recognize(2, [&] {
+  const PlaceMemory::Answer answer = recognize(2, [&] {
     if (!learned) learn(2, "b");
     learned = true;
     return false;
@@ -42,22 +42,22 @@ TEST_F(PlaceMemoryTest, AnAnswerThatANewerOneOvertookLinksNothing) {
     if (memory_.size() == 1) learn(2, "b");
     return false;
   };
-  const LabelledRecognition answer = recognize(1, learnMeanwhile);
+  const PlaceMemory::Answer answer = recognize(1, learnMeanwhile);
   EXPECT_EQ(answer.recognition.verdict, Verdict::kRecognized);
   EXPECT_TRUE(answer.superseded);
-  EXPECT_EQ(memory_.previousPlace()->label, "b");
+  EXPECT_EQ(previous(), "b");
   EXPECT_FALSE(recognize(1).superseded);
-  EXPECT_EQ(memory_.previousPlace()->label, "a");
+  EXPECT_EQ(previous(), "a");
 }
 
 TEST_F(PlaceMemoryTest, AnAnswerFromBeforeTheRobotWasCarriedLinksNothing) {
   learn(1, "a");
   const auto carryMeanwhile = [this] {
-    memory_.forgetPreviousPlace();
+    memory_.forgetWhereabouts();
     return false;
   };
   EXPECT_TRUE(recognize(1, carryMeanwhile).superseded);
-  EXPECT_FALSE(memory_.previousPlace());
+  EXPECT_EQ(previous(), "");
 }
 
 TEST_F(PlaceMemoryTest, AMatchCanBeCancelled) {
@@ -77,14 +77,14 @@ TEST_F(PlaceMemoryTest, RecognizesWhileOthersLearnRenameAndRemove) {
     }
   });
   std::thread reader([this] {
-    for (int i = 0; i < kRounds; ++i) EXPECT_GE(memory_.graph().size(), 1U);
+    for (int i = 0; i < kRounds; ++i) EXPECT_GE(memory_.map().places.size(), 1U);
   });
   std::vector<std::thread> clients;
   clients.reserve(2);
   for (int client = 0; client < 2; ++client) {
     clients.emplace_back([this, &recognized] {
       for (int i = 0; i < kRounds; ++i) {
-        const LabelledRecognition answer = recognize(1);
+        const PlaceMemory::Answer answer = recognize(1);
         if (answer.labels.front() == "a") ++recognized;
       }
     });

@@ -68,5 +68,24 @@ TEST(FindConsensus, WhereAllAgreeNoneIsLed) {
   EXPECT_EQ(consensus.prominence, 0.0);
 }
 
+TEST(FindConsensus, PlacesOfAnotherSessionNeitherAgreeNorContradict) {
+  const Consensus consensus = findConsensus({{9.0, 0.9, Pose2d{1.0, 2.0, 0.0}, 1},
+                                             {8.5, 0.1, Pose2d{1.0, 2.0, 0.0}, 2},
+                                             {8.0, 0.1, Pose2d{9.0, 2.0, 0.0}, 2},
+                                             {6.0, 0.3, Pose2d{9.0, 2.0, 0.0}, 1}},
+                                            kCell);
+  EXPECT_EQ(consensus.chosen, 0U);
+  EXPECT_EQ(consensus.lead, 3.0);
+  EXPECT_EQ(consensus.prominence, 3.0);
+}
+
+TEST(FindConsensus, AmongPlacesOfOtherSessionsTheBestIsNotContradicted) {
+  const Consensus consensus = findConsensus(
+      {{9.0, 0.9, Pose2d{1.0, 2.0, 0.0}, 2}, {8.5, 0.1, Pose2d{5.0, 2.0, 0.0}, 1}}, kCell);
+  EXPECT_EQ(consensus.chosen, 0U);
+  EXPECT_EQ(consensus.lead, 0.0);
+  EXPECT_EQ(consensus.uncontested, 9.0);
+}
+
 }  // namespace
 }  // namespace place_memory::core

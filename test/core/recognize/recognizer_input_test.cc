@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "core/random_room.h"
 #include "core/recognize/recognizer.h"
@@ -14,33 +16,37 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kWindow = 0.35;  ///< of headings [rad]
 
+std::optional<std::vector<PlaceFrame>> atOrigin(const std::vector<PlaceId>& places) {
+  return std::vector<PlaceFrame>(places.size());
+}
+
 PlaceIndex onePlace() {
   PlaceIndex index;
-  index.put(1, {}, RandomRoom(1).scanFrom({}).grid);
+  index.put(1, RandomRoom(1).scanFrom({}).grid);
   return index;
 }
 
 TEST(RecognizerInput, StopsWhenItIsCancelled) {
   const Recognizer recognizer(RecognizerOptions{});
   const Scan scan = RandomRoom(1).scanFrom({});
-  EXPECT_THROW(recognizer.recognize(scan, onePlace(), kWindow, [] { return true; }),
+  EXPECT_THROW(recognizer.recognize(scan, onePlace(), atOrigin, kWindow, [] { return true; }),
                std::runtime_error);
-  EXPECT_NO_THROW(recognizer.recognize(scan, onePlace(), kWindow, [] { return false; }));
+  EXPECT_NO_THROW(recognizer.recognize(scan, onePlace(), atOrigin, kWindow, [] { return false; }));
 }
 
 TEST(RecognizerInput, StopsBetweenTheBlocksOfALongIndex) {
   PlaceIndex places;
   const EvidenceGrid grid = RandomRoom(1).scanFrom({}).grid;
   for (PlaceId id = 1; id <= 3 * static_cast<PlaceId>(PlaceIndex::kBlockSize); ++id) {
-    places.put(id, {}, grid);
+    places.put(id, grid);
   }
   int polls = 0;
   const auto second_time = [&polls] { return ++polls == 2; };
   RecognizerOptions options;
   options.method = SearchMethod::kNearestNeighbour;
-  EXPECT_THROW(
-      Recognizer(options).recognize(RandomRoom(1).scanFrom({}), places, kWindow, second_time),
-      std::runtime_error);
+  EXPECT_THROW(Recognizer(options).recognize(RandomRoom(1).scanFrom({}), places, atOrigin, kWindow,
+                                             second_time),
+               std::runtime_error);
 }
 
 TEST(RecognizerInput, AHeadingWindowOutOfRangeIsRefused) {
@@ -48,15 +54,15 @@ TEST(RecognizerInput, AHeadingWindowOutOfRangeIsRefused) {
   const PlaceIndex places = onePlace();
   for (const double window : {-1e-3, -kPi, 1.01 * kPi, 360.0, kInfinity, -kInfinity, kNan}) {
     try {
-      recognizer.recognize(Scan(), places, window);
+      recognizer.recognize(Scan(), places, atOrigin, window);
       ADD_FAILURE() << window << " was taken";
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find("heading_window"), std::string::npos)
           << error.what();
     }
   }
-  EXPECT_NO_THROW(recognizer.recognize(Scan(), places, 0.0));
-  EXPECT_NO_THROW(recognizer.recognize(Scan(), places, kPi));
+  EXPECT_NO_THROW(recognizer.recognize(Scan(), places, atOrigin, 0.0));
+  EXPECT_NO_THROW(recognizer.recognize(Scan(), places, atOrigin, kPi));
 }
 
 struct BadOption {

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
+#include <vector>
 
 #include "core/random_room.h"
 
@@ -37,7 +40,7 @@ PlaceIndex rooms(int count, double scale = 1.0, double cell_size = kDefaultCellS
   PlaceIndex index;
   for (int id = 1; id <= count; ++id) {
     const RandomRoom room(static_cast<unsigned>(id), scale);
-    index.put(id, placePose(id), room.scanFrom({}, cell_size).grid);
+    index.put(id, room.scanFrom({}, cell_size).grid);
   }
   return index;
 }
@@ -49,6 +52,17 @@ Scan scanIn(PlaceId id, const Pose2d& place_from_scan) {
 Pose2d randomPose(std::mt19937& engine, double metres, double radians) {
   std::uniform_real_distribution<double> share(-1.0, 1.0);
   return {metres * share(engine), metres * share(engine), radians * share(engine)};
+}
+
+std::optional<std::vector<PlaceFrame>> framesOf(const std::vector<PlaceId>& places) {
+  std::vector<PlaceFrame> frames;
+  for (const PlaceId id : places) frames.push_back({placePose(id)});
+  return frames;
+}
+
+Recognition ask(const Recognizer& recognizer, const Scan& scan, const PlaceIndex& places,
+                double heading_window) {
+  return recognizer.recognize(scan, places, framesOf, heading_window).value();
 }
 
 void expectValid(const Recognition& recognition, const PlaceIndex& places) {
@@ -97,7 +111,7 @@ TEST(Recognizer, RanksTheTruePlaceFirst) {
   std::mt19937 engine(17);
   for (PlaceId id = 1; id <= 12; ++id) {
     const Recognition recognition =
-        recognizer.recognize(scanIn(id, randomPose(engine, 0.6, 0.25)), places, kWindow);
+        ask(recognizer, scanIn(id, randomPose(engine, 0.6, 0.25)), places, kWindow);
     expectValid(recognition, places);
     ASSERT_FALSE(recognition.matches.empty());
     EXPECT_EQ(recognition.matches.front().id, id);
@@ -109,7 +123,7 @@ TEST(Recognizer, RanksTheTruePlaceFirstAtAnyHeading) {
   const Recognizer recognizer(usualOptions());
   for (PlaceId id = 1; id <= 5; ++id) {
     const Pose2d truth{0.2, -0.2, wrapAngle(1.9 * static_cast<double>(id))};
-    const Recognition recognition = recognizer.recognize(scanIn(id, truth), places, kPi);
+    const Recognition recognition = ask(recognizer, scanIn(id, truth), places, kPi);
     ASSERT_FALSE(recognition.matches.empty());
     EXPECT_EQ(recognition.matches.front().id, id);
     const double off = recognition.matches.front().place_from_scan.yaw - truth.yaw;
@@ -122,7 +136,7 @@ TEST(Recognizer, EveryMethodRanksThePlaceTheRobotStandsIn) {
   for (const SearchMethod method : kMethods) {
     const Recognizer recognizer(optionsWith(method));
     for (PlaceId id = 1; id <= 6; ++id) {
-      const Recognition recognition = recognizer.recognize(scanIn(id, {}), places, 0.1);
+      const Recognition recognition = ask(recognizer, scanIn(id, {}), places, 0.1);
       expectValid(recognition, places);
       ASSERT_FALSE(recognition.matches.empty());
       EXPECT_EQ(recognition.matches.front().id, id);
@@ -139,7 +153,7 @@ TEST(Recognizer, ThePosePutsTheRobotWhereItStands) {
     const Pose2d truth = randomPose(engine, 0.6, 0.25);
     Scan scan = scanIn(id, truth);
     scan.robot_in_scan = randomPose(engine, 0.3, 3.0);
-    const Recognition recognition = recognizer.recognize(scan, places, kWindow);
+    const Recognition recognition = ask(recognizer, scan, places, kWindow);
     ASSERT_FALSE(recognition.matches.empty());
     ASSERT_EQ(recognition.matches.front().id, id);
     expectSamePose(
@@ -154,8 +168,7 @@ TEST(Recognizer, ThePosePutsTheRobotWhereItStands) {
 }
 
 TEST(Recognizer, TheCovarianceIsSymmetricWithVariancesAboveZero) {
-  const Recognition recognition =
-      Recognizer(usualOptions()).recognize(scanIn(2, {}), rooms(3), kWindow);
+  const Recognition recognition = ask(Recognizer(usualOptions()), scanIn(2, {}), rooms(3), kWindow);
   for (std::size_t r = 0; r < 3; ++r) {
     EXPECT_GT(recognition.covariance[4 * r], 0.0);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -174,7 +187,7 @@ TEST(Recognizer, WorksAtAnyCellSize) {
     for (unsigned id = 1; id <= 4; ++id) {
       const Pose2d truth{0.4 * scale, -0.3 * scale, 0.15};
       const Scan scan = RandomRoom(id, scale).scanFrom(truth, cell_size);
-      const Recognition recognition = recognizer.recognize(scan, places, kWindow);
+      const Recognition recognition = ask(recognizer, scan, places, kWindow);
       ASSERT_FALSE(recognition.matches.empty());
       EXPECT_EQ(recognition.matches.front().id, id);
       EXPECT_NEAR(recognition.matches.front().place_from_scan.x, truth.x, 1.5 * cell_size);
@@ -192,8 +205,7 @@ TEST(Recognizer, AlignmentsStayInTheWindows) {
     options.method = method;
     const Recognizer recognizer(options);
     for (const double window : {0.0, 2.0 * kStep, kWindow}) {
-      const Recognition recognition =
-          recognizer.recognize(scanIn(3, {1.0, -1.0, 0.8}), places, window);
+      const Recognition recognition = ask(recognizer, scanIn(3, {1.0, -1.0, 0.8}), places, window);
       for (const PlaceMatch& match : recognition.matches) {
         // The search may round the windows up to whole cells and steps.
         EXPECT_LE(std::abs(match.place_from_scan.x), 4.01 * kDefaultCellSize);
@@ -209,14 +221,14 @@ TEST(Recognizer, APositionWindowBeyondTheGridIsTheWholeGrid) {
   options.position_window = 1e6;
   const PlaceIndex places = rooms(2);
   const Recognition recognition =
-      Recognizer(options).recognize(scanIn(2, {0.3, 0.0, 0.0}), places, kWindow);
+      ask(Recognizer(options), scanIn(2, {0.3, 0.0, 0.0}), places, kWindow);
   expectValid(recognition, places);
 }
 
 TEST(Recognizer, WithoutPlacesNothingIsKnown) {
   for (const SearchMethod method : kMethods) {
     const Recognition recognition =
-        Recognizer(optionsWith(method)).recognize(scanIn(1, {}), PlaceIndex(), kWindow);
+        ask(Recognizer(optionsWith(method)), scanIn(1, {}), PlaceIndex(), kWindow);
     EXPECT_EQ(recognition.verdict, Verdict::kUnknown);
     EXPECT_TRUE(recognition.matches.empty());
     expectSamePose(recognition.map_from_robot, {});
@@ -230,7 +242,7 @@ TEST(Recognizer, AScanThatSensedNothingIsNotRecognized) {
       for (const PairWeights& weights : {kPaperWeights, usualOptions().metric.weights}) {
         RecognizerOptions options = optionsWith(method);
         options.metric.weights = weights;
-        const Recognition recognition = Recognizer(options).recognize(Scan(), places, kWindow);
+        const Recognition recognition = ask(Recognizer(options), Scan(), places, kWindow);
         expectValid(recognition, places);
         EXPECT_NE(recognition.verdict, Verdict::kRecognized);
       }
@@ -240,12 +252,12 @@ TEST(Recognizer, AScanThatSensedNothingIsNotRecognized) {
 
 TEST(Recognizer, PlacesThatSensedNothingAreTakenInStride) {
   PlaceIndex places;
-  places.put(1, {}, EvidenceGrid());
-  places.put(2, {}, EvidenceGrid());
+  places.put(1, EvidenceGrid());
+  places.put(2, EvidenceGrid());
   for (const SearchMethod method : kMethods) {
     const Recognizer recognizer(optionsWith(method));
-    expectValid(recognizer.recognize(scanIn(1, {}), places, kWindow), places);
-    const Recognition nothing = recognizer.recognize(Scan(), places, kWindow);
+    expectValid(ask(recognizer, scanIn(1, {}), places, kWindow), places);
+    const Recognition nothing = ask(recognizer, Scan(), places, kWindow);
     expectValid(nothing, places);
     EXPECT_NE(nothing.verdict, Verdict::kRecognized);
   }
@@ -254,10 +266,10 @@ TEST(Recognizer, PlacesThatSensedNothingAreTakenInStride) {
 TEST(Recognizer, OfEqualPlacesTheLowerIdComesFirst) {
   const EvidenceGrid grid = scanIn(7, {}).grid;
   PlaceIndex places;
-  for (const PlaceId id : {90, 4, 17, 200, 5}) places.put(id, placePose(id), grid);
+  for (const PlaceId id : {90, 4, 17, 200, 5}) places.put(id, grid);
   for (const SearchMethod method : kMethods) {
     const Recognition recognition =
-        Recognizer(optionsWith(method)).recognize(scanIn(7, {}), places, kWindow);
+        ask(Recognizer(optionsWith(method)), scanIn(7, {}), places, kWindow);
     ASSERT_EQ(recognition.matches.size(), 5U);
     const PlaceId expected[] = {4, 5, 17, 90, 200};
     for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(recognition.matches[i].id, expected[i]);
@@ -273,21 +285,64 @@ TEST(Recognizer, GivesTheSameAnswerEachTime) {
   for (const SearchMethod method : kMethods) {
     const Recognizer first(optionsWith(method));
     const Recognizer second(optionsWith(method));
-    const Recognition recognition = first.recognize(scan, places, kWindow);
-    expectSame(recognition, first.recognize(scan, places, kWindow));
-    expectSame(recognition, second.recognize(scan, places, kWindow));
+    const Recognition recognition = ask(first, scan, places, kWindow);
+    expectSame(recognition, ask(first, scan, places, kWindow));
+    expectSame(recognition, ask(second, scan, places, kWindow));
   }
 }
 
 TEST(Recognizer, TheOrderOfLearningDoesNotMatter) {
   PlaceIndex backwards;
   for (int id = 8; id >= 1; --id) {
-    backwards.put(id, placePose(id), RandomRoom(static_cast<unsigned>(id)).scanFrom({}).grid);
+    backwards.put(id, RandomRoom(static_cast<unsigned>(id)).scanFrom({}).grid);
   }
   const Recognizer recognizer(usualOptions());
   const Scan scan = scanIn(3, {0.4, -0.5, 0.2});
-  expectSame(recognizer.recognize(scan, rooms(8), kWindow),
-             recognizer.recognize(scan, backwards, kWindow));
+  expectSame(ask(recognizer, scan, rooms(8), kWindow), ask(recognizer, scan, backwards, kWindow));
+}
+
+TEST(Recognizer, AsksOnceForTheFramesOfThePlacesThatRankFirst) {
+  const PlaceIndex places = rooms(15);
+  std::vector<std::vector<PlaceId>> asked;
+  const auto frames = [&asked](const std::vector<PlaceId>& ids) {
+    asked.push_back(ids);
+    return framesOf(ids);
+  };
+  const Recognizer recognizer(usualOptions());
+  const auto recognition = recognizer.recognize(scanIn(3, {}), places, frames, kWindow);
+  ASSERT_TRUE(recognition);
+  ASSERT_EQ(asked.size(), 1U);
+  ASSERT_EQ(asked.front().size(), 10U);
+  for (std::size_t i = 0; i < asked.front().size(); ++i) {
+    EXPECT_EQ(std::count(asked.front().begin(), asked.front().end(), recognition->matches[i].id),
+              1);
+  }
+}
+
+TEST(Recognizer, HasNoAnswerWhereAPlaceIsGone) {
+  const auto gone = [](const std::vector<PlaceId>&) {
+    return std::optional<std::vector<PlaceFrame>>();
+  };
+  EXPECT_FALSE(Recognizer(usualOptions()).recognize(scanIn(1, {}), rooms(3), gone, kWindow));
+}
+
+TEST(Recognizer, ThePoseLiesInTheFrameOfTheMatchedPlacesSession) {
+  PlaceIndex twins = rooms(1);
+  twins.put(2, RandomRoom(1).scanFrom({}).grid);
+  const auto frames = [](const std::vector<PlaceId>& ids) {
+    std::vector<PlaceFrame> of;
+    for (const PlaceId id : ids) of.push_back({placePose(id), id});
+    return std::optional(of);
+  };
+  RecognizerOptions options = usualOptions();
+  options.calibration.right[13] = 0.01;  // for each point of a score that nothing contradicts
+  const Recognizer recognizer(options);
+  const Recognition apart = recognizer.recognize(scanIn(1, {}), twins, frames, kWindow).value();
+  EXPECT_EQ(apart.matches.front().id, 1);
+  expectSamePose(apart.map_from_robot, placePose(1) * apart.matches.front().place_from_scan);
+  // Within one session the twin puts the robot elsewhere, and the scan could be of either.
+  const Recognition together = ask(recognizer, scanIn(1, {}), twins, kWindow);
+  EXPECT_LT(together.matches.front().probability, apart.matches.front().probability);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST_P(DamagedStoreTest, IsRefusedWithTheReasonAndLeftAsItIs) {
   const std::string before = readFile(path_);
   try {
     const PlaceStore store = open();
-    store.graph();
+    store.map();
     store.forEachGrid([](PlaceId, const EvidenceGrid&) {});
     store.forEachPlanes([](PlaceId, const CellPlanes&) {});
     FAIL() << "the store was taken";
@@ -115,7 +115,7 @@ class LargeStoreTest : public PlaceStoreTest {
 
   void readForMatching() {
     const PlaceStore store = openLarge();
-    store.graph();
+    store.map();
     store.forEachPlanes([](PlaceId, const CellPlanes&) {});
   }
 

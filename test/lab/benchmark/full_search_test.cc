@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/match/lattice.h"
 #include "benchmark/synthetic_memory.h"
+#include "core/match/lattice.h"
 
 namespace place_memory::measure {
 namespace {
@@ -29,7 +29,7 @@ class FullSearchTest : public testing::TestWithParam<Case> {
 const SimulatedPlaces* FullSearchTest::simulated_ = nullptr;
 
 TEST_P(FullSearchTest, FindsWhatTryingEverythingFinds) {
-  const core::PlaceIndex index = SyntheticMemory(*simulated_, 21).index();
+  const core::PlaceIndex index = SyntheticMemory(*simulated_, 21).map().index;
   const core::SearchWindow window =
       core::searchWindow(0.6, GetParam().heading_window, core::kDefaultCellSize);
   core::LatticeMetric metric;

@@ -61,7 +61,12 @@ TEST_F(SyntheticMemoryTest, GivesEveryPlaceOnceByRisingId) {
     EXPECT_EQ(place.grid, simulated_->places[static_cast<std::size_t>(id) - 1].grid);
   });
   EXPECT_EQ(expected, 41);
-  EXPECT_EQ(memory.index().size(), 40U);
+  const KnownMap map = memory.map();
+  EXPECT_EQ(map.index.size(), 40U);
+  const auto frames = map.lookUp()({40, 7});
+  ASSERT_TRUE(frames && frames->size() == 2);
+  EXPECT_EQ((*frames)[0].map_from_place.x, simulated_->places[39].map_from_place.x);
+  EXPECT_EQ((*frames)[1].map_from_place.x, simulated_->places[6].map_from_place.x);
 }
 
 TEST_F(SyntheticMemoryTest, AsksOnlyForPlacesThatItHas) {

@@ -1,0 +1,96 @@
+#ifndef PLACE_MEMORY_CORE_MEMORY_PLACE_MEMORY_IMPL_H
+#define PLACE_MEMORY_CORE_MEMORY_PLACE_MEMORY_IMPL_H
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/memory/change_queue.h"
+#include "core/memory/learned_scans.h"
+#include "core/memory/map_writer.h"
+#include "core/memory/whereabouts.h"
+#include "core/recognize/recognizer.h"
+#include "core/store/place_store.h"
+#include "place_memory/core/place_memory.h"
+
+namespace place_memory::core {
+
+/// What PlaceMemory does, by the names that it has there. Learning is in place_learning.cpp,
+/// recognizing in place_recognition.cpp, the rest in place_memory.cpp.
+class PlaceMemory::Impl {
+ public:
+  Impl(const PlaceMemoryOptions& options, PlaceStore store);
+
+  Learned learn(const Scan& scan, const std::string& label);
+  Answer recognize(const Scan& scan, double heading_window, const std::function<bool()>& cancelled);
+  void rename(const std::string& label, const std::string& new_label);
+  void remove(const std::string& label);
+  std::size_t clear();
+  EvidenceGrid grid(PlaceId id);
+  void forgetWhereabouts();
+
+  MapWriter& writer() { return writer_; }
+
+  /// What `look` returns of what everybody reads.
+  template <class Look>
+  auto read(const Look& look) const {
+    const std::lock_guard<std::mutex> lock(state_.mutex);
+    return look(static_cast<const MemoryState&>(state_));
+  }
+
+ private:
+  /// With what the map follows an answer.
+  struct Following {
+    PlaceId place = kNoPlace;  ///< RECOGNIZED
+    Settled settled;
+    std::chrono::nanoseconds scan_end{0};
+    std::optional<EvidenceGrid> sensed;  ///< in the place's frame; none: the place does not adapt
+  };
+
+  /// Throws PlaceMemoryError where the scan is not one of this map.
+  void check(const Scan& scan) const;
+
+  /// Nothing where a place went or moved while it was matched.
+  std::optional<Following> settle(const Scan& scan, std::uint64_t question,
+                                  const std::map<PlaceId, PlaceFrame>& frames, Answer& answer);
+  /// Whether the map may have to follow; where not, an answer waits for nobody.
+  static bool changesMap(const Following& following);
+  std::optional<EvidenceGrid> sensedAt(const Scan& scan, const Recognition& recognition) const;
+
+  // For works of the queue.
+  Learned learnNow(const Scan& scan, const std::string& label, std::uint64_t question);
+  void follow(const Following& following, Answer& answer);
+  std::size_t join(const SessionJoin& join, std::vector<MapEdit>& edits) const;
+  void traverse(const Following& following, std::vector<MapEdit>& edits) const;
+  bool fold(const Following& following, std::vector<MapEdit>& edits);
+
+  const double cell_size_;
+  const bool located_;
+  const Recognizer recognizer_;
+  const AdaptationOptions adaptation_;
+  const SonarModel sonar_;
+
+  MemoryState state_;
+
+  // For works of the queue, which alone change state_.map.
+  MapWriter writer_;
+  LearnedScans learned_scans_;
+  std::optional<std::chrono::nanoseconds> last_folded_;  ///< when that scan ended
+
+  ChangeQueue queue_;  ///< ends before what it works on
+};
+
+/// The place with that label. Throws PlaceMemoryError.
+const Place& findPlace(const PlaceMap& map, const std::string& label);
+/// The label for a new place, or for one that is called differently from now on; "" asks for one
+/// that is made up. Throws PlaceMemoryError.
+std::string newLabel(const PlaceMap& map, const std::string& wanted);
+/// Throws PlaceMemoryError.
+[[noreturn]] void refuseLabel();
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_MEMORY_PLACE_MEMORY_IMPL_H
