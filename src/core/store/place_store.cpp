@@ -183,10 +183,11 @@ class PlaceStore::Impl {
 
   // What could not be written when it was opened is opened anew, unless that is bound to fail too.
   void resume() {
+    if (is_changed_) throw StoreError(why_read_only_);
     const bool is_writable = database_ && !held_ && !database_->isReadOnly();
     if (is_writable) return;
     const std::string folder = std::filesystem::path(path_).parent_path().string();
-    if (is_changed_ || access(path_.c_str(), W_OK) != 0 || access(folder.c_str(), W_OK) != 0) {
+    if (access(path_.c_str(), W_OK) != 0 || access(folder.c_str(), W_OK) != 0) {
       throw StoreError(why_read_only_);
     }
     const StoreHead before = head_;
