@@ -150,7 +150,7 @@ class LiveMapTest(live_test.LiveTestCase):
                                   ("place_markers", MarkerArray, markers)):
             subscriber = rospy.Subscriber(self.node.name + "/" + topic, kind, came.append)
             self.addCleanup(subscriber.unregister)
-        self.wait(lambda: graphs and markers, "the map")
+        self.wait(lambda: graphs and graphs[-1].places and markers, "the map")
         begin = time.monotonic()
         label = "hall"
         for i in range(RENAMES):
