@@ -2,6 +2,7 @@
 
 #include <ros/console.h>
 
+#include "config/memory_options.h"
 #include "node/map/memory_diagnostics.h"
 #include "node/scan/sonar_diagnostics.h"
 
@@ -47,13 +48,8 @@ void PlaceMemoryNode::onDiagnosticsTimer() {
 void PlaceMemoryNode::stop() { scan_server_.stop(); }
 
 std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
-  core::PlaceMemoryOptions options;
-  options.store_path = parameters_.store;
+  core::PlaceMemoryOptions options = config::memoryOptions(parameters_);
   options.opening.progress = [](const std::string& sentence) { ROS_INFO("%s", sentence.c_str()); };
-  options.cell_size = parameters_.grid.cell_size;
-  options.recognizer = parameters_.match.recognizer;
-  options.adaptation = parameters_.places;
-  options.sonar = parameters_.sonar;
   try {
     auto memory = std::make_unique<core::PlaceMemory>(options);
     ROS_INFO("%zu places are known", memory->size());

@@ -94,7 +94,7 @@ class PlaceMemory {
     /// Since it was asked for, the robot learned or recognized a newer scan, or was carried: it
     /// does not say where the robot is now.
     bool superseded = false;
-    Whereabouts whereabouts;    ///< after this answer
+    Whereabouts whereabouts;    ///< right after this answer
     bool adapted = false;       ///< the scan was folded into the place's grid
     std::size_t joined = 0;     ///< places that moved, because two sessions were joined
     std::string adapt_problem;  ///< why the map could not follow (adapted, joined); "": it could

@@ -79,7 +79,6 @@ PlaceMemory::Answer PlaceMemory::Impl::recognize(const Scan& scan, double headin
         answer.adapt_problem = error.what();
       }
     }
-    answer.whereabouts = read([](const MemoryState& state) { return state.whereabouts.now(); });
     return answer;
   }
 }
@@ -104,6 +103,7 @@ std::optional<PlaceMemory::Impl::Following> PlaceMemory::Impl::settle(
   following.scan_end = scan.end;
   if (recognition.verdict != Verdict::kRecognized) {
     answer.superseded = state_.whereabouts.notRecognized(question);
+    answer.whereabouts = state_.whereabouts.now();
     return following;
   }
   const PlaceMatch& match = recognition.matches.front();
@@ -114,6 +114,7 @@ std::optional<PlaceMemory::Impl::Following> PlaceMemory::Impl::settle(
       question, {place, match.place_from_scan, scan.odom_from_scan,
                  turned(recognition.covariance, -place.map_from_place.yaw)});
   answer.superseded = following.settled.superseded;
+  answer.whereabouts = state_.whereabouts.now();
   const auto& join = following.settled.join;
   if (join && join->from == place.session) moveWith(*join, recognition);
   return following;

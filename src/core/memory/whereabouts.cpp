@@ -93,7 +93,6 @@ Settled WhereaboutsOwner::recognized(std::uint64_t question, const Sighting& sig
 bool WhereaboutsOwner::notRecognized(std::uint64_t question) {
   if (question < newest_answer_) return true;
   newest_answer_ = question;
-  if (now_.current == kNoPlace) return false;
   ++now_.version;
   now_.current = kNoPlace;
   now_.current_label.clear();
