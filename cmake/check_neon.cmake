@@ -4,7 +4,8 @@
 execute_process(
   COMMAND ${CXX} -std=c++17 -O2 -static -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
           -I${SOURCE_DIR}/include -I${SOURCE_DIR}/src -isystem ${GTEST}/include -isystem ${GTEST}
-          ${SOURCE_DIR}/src/core/kernels/block_kernel.cpp ${SOURCE_DIR}/src/core/kernels/block_kernel_neon.cpp
+          ${SOURCE_DIR}/src/core/kernels/block_kernel.cpp ${SOURCE_DIR}/src/core/kernels/cpu.cpp
+          ${SOURCE_DIR}/src/core/kernels/block_kernel_neon.cpp
           ${SOURCE_DIR}/test/core/kernels/block_kernel_test.cc
           ${GTEST}/src/gtest-all.cc ${GTEST}/src/gtest_main.cc -pthread -o ${BINARY}
   RESULT_VARIABLE status)

@@ -15,7 +15,7 @@ from benchmark_results import Results
 GIB = 2.0 ** 30
 # Cycles that one evaluation takes at the least: with AVX-512 four counts of bits for each of 64 rows,
 # two a cycle, over the eight places in a vector. AVX2 has tables for that, popcnt one row at a time.
-FLOORS = {"avx512vpopcntdq": 16, "avx2": 45, "popcnt": 150}
+FLOORS = {"avx512": 16, "avx2": 45, "popcnt": 150}
 
 
 def size_words(places):

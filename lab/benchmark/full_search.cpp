@@ -6,13 +6,13 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "threads.h"
+#include "support/parallel_for.h"
 
 namespace place_memory::measure {
 namespace {
 
 constexpr int kGroupSide = 3;
-constexpr int kGroupTurns = 6;
+constexpr int kGroupRotations = 6;
 constexpr double kOne = 65536.0;  // of the fixed point
 constexpr std::size_t kRows = core::kGridSize;
 
@@ -69,14 +69,14 @@ FullSearch::FullSearch(const core::QueryPlanes& query, const core::LatticeMetric
       good_(factors(metric.weights, true)),
       bad_(factors(metric.weights, false)) {
   if (metric.overlap_only) throw std::invalid_argument("the metric counts overlapping cells only");
-  const int last_turn = window.circular ? window.turns - 1 : window.turns;
-  for (int turn = -window.turns; turn <= last_turn; turn += kGroupTurns) {
-    const int last_of_group = std::min(turn + kGroupTurns - 1, last_turn);
+  const int last_rotation = window.circular ? window.rotations - 1 : window.rotations;
+  for (int rotation = -window.rotations; rotation <= last_rotation; rotation += kGroupRotations) {
+    const int last_of_group = std::min(rotation + kGroupRotations - 1, last_rotation);
     for (int row = -window.cells; row <= window.cells; row += kGroupSide) {
       for (int column = -window.cells; column <= window.cells; column += kGroupSide) {
-        add({turn, last_of_group, column, row}, coarse_);
+        add({rotation, last_of_group, column, row}, coarse_);
         first_fine_.push_back(fine_.all.size());
-        for (int t = turn; t <= last_of_group; ++t) add({t, t, column, row}, fine_);
+        for (int t = rotation; t <= last_of_group; ++t) add({t, t, column, row}, fine_);
       }
     }
   }
@@ -87,10 +87,10 @@ template <typename Call>
 void FullSearch::forEachTransform(const Group& group, const Call& call) const {
   const int last_row = std::min(group.first_row + kGroupSide - 1, window_.cells);
   const int last_column = std::min(group.first_column + kGroupSide - 1, window_.cells);
-  for (int turn = group.first_turn; turn <= group.last_turn; ++turn) {
+  for (int rotation = group.first_rotation; rotation <= group.last_rotation; ++rotation) {
     for (int row = group.first_row; row <= last_row; ++row) {
       for (int column = group.first_column; column <= last_column; ++column) {
-        call(turn, core::CellShift{column, row});
+        call(rotation, core::CellShift{column, row});
       }
     }
   }
@@ -102,9 +102,9 @@ void FullSearch::add(const Group& group, Groups& groups) const {
   std::array<core::QueryRow, kRows> some{}, all;
   all.fill({~std::uint64_t{0}, ~std::uint64_t{0}});
   double most = -INFINITY;
-  forEachTransform(group, [&](int turn, core::CellShift shift) {
+  forEachTransform(group, [&](int rotation, core::CellShift shift) {
     int occupied = 0, empty = 0;
-    const auto rows = shifted(query_.at(turn), shift.columns, shift.rows);
+    const auto rows = shifted(query_.at(rotation), shift.columns, shift.rows);
     for (std::size_t i = 0; i < kRows; ++i) {
       some[i].occupied |= rows[i].occupied;
       some[i].empty |= rows[i].empty;
@@ -114,9 +114,10 @@ void FullSearch::add(const Group& group, Groups& groups) const {
       empty += __builtin_popcountll(rows[i].empty);
     }
     const int cells = shift.columns * shift.columns + shift.rows * shift.rows;
-    most = std::max(most, occupied * (w[kOccupied][kUnsensed] - unsensed) +
-                              empty * (w[kEmpty][kUnsensed] - unsensed) -
-                              metric_.shift_cost * cells - metric_.turn_cost * turn * turn);
+    most =
+        std::max(most, occupied * (w[kOccupied][kUnsensed] - unsensed) +
+                           empty * (w[kEmpty][kUnsensed] - unsensed) - metric_.shift_cost * cells -
+                           metric_.rotation_cost * rotation * rotation);
   });
   groups.all.push_back(group);
   groups.somewhere.insert(groups.somewhere.end(), some.begin(), some.end());
@@ -142,7 +143,7 @@ ScoredPlace FullSearch::best(const core::PlaceIndex& places, const ScoredPlace& 
   const std::size_t blocks = places.blocks().size();
   ScoredPlace best = known;
   std::mutex mutex;
-  inThreads((blocks + kAtATime - 1) / kAtATime, [&](std::size_t i) {
+  support::parallelFor((blocks + kAtATime - 1) / kAtATime, [&](std::size_t i) {
     ScoredPlace own;
     {
       const std::lock_guard<std::mutex> lock(mutex);
@@ -182,7 +183,7 @@ void FullSearch::searchGroup(const core::PlaceBlock& block, std::size_t group,
   const core::BlockRow* const rows = block.planes().rows.data();
   const auto penalties = [&](const Groups& groups, std::size_t first, std::size_t count,
                              core::BlockScores* scores) {
-    constexpr std::array<std::int64_t, kGroupTurns> kNone{};
+    constexpr std::array<std::int64_t, kGroupRotations> kNone{};
     kernel_({rows, groups.everywhere.data() + first * kRows, kRows, count, bad_, kNone.data()},
             scores);
   };
@@ -197,7 +198,7 @@ void FullSearch::searchGroup(const core::PlaceBlock& block, std::size_t group,
     return some;
   };
   if (!someLeft(bounds)) return;
-  std::array<core::BlockScores, kGroupTurns> gained, lost;
+  std::array<core::BlockScores, kGroupRotations> gained, lost;
   penalties(coarse_, group, 1, lost.data());
   if (!someLeft(sum(bounds, lost[0]))) return;
 
@@ -219,8 +220,8 @@ void FullSearch::searchGroup(const core::PlaceBlock& block, std::size_t group,
 void FullSearch::tryTransforms(const core::PlaceBlock& block, std::size_t slot, const Group& group,
                                ScoredPlace& best) const {
   const core::CellPlanes cells = block.planes().get(slot);
-  forEachTransform(group, [&](int turn, core::CellShift shift) {
-    const ScoredPlace found{block[slot], core::scoreAt(query_, cells, metric_, shift, turn)};
+  forEachTransform(group, [&](int rotation, core::CellShift shift) {
+    const ScoredPlace found{block[slot], core::scoreAt(query_, cells, metric_, shift, rotation)};
     if (beats(found, best)) best = found;
   });
 }

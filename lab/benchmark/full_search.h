@@ -17,10 +17,10 @@ struct ScoredPlace {
 };
 
 /// Exactly what trying every transform of the window for every place finds, hundreds of times as
-/// fast: transforms are taken in groups, three shifts along both axes by six turns, and a bound for
-/// all of a group tells whether any can be the best; where one can, a bound for each turn. A bound
-/// counts what is good wherever a transform of the group has it, and what is bad only where all of
-/// them have it.
+/// fast: transforms are taken in groups, three shifts along both axes by six rotations, and a bound
+/// for all of a group tells whether any can be the best; where one can, a bound for each rotation.
+/// A bound counts what is good wherever a transform of the group has it, and what is bad only where
+/// all of them have it.
 class FullSearch {
  public:
   /// Keeps a reference to the planes. Throws std::invalid_argument where the metric counts pairs of
@@ -29,12 +29,12 @@ class FullSearch {
              const core::SearchWindow& window);
 
   /// The best place; of equal ones the one with the lowest id. `known` is a place that was found by
-  /// other means, with a score that it has in truth: what cannot beat it is not looked at.
+  /// other means, with a score that it has in truth: what cannot beat it is left out.
   ScoredPlace best(const core::PlaceIndex& places, const ScoredPlace& known) const;
 
  private:
   struct Group {
-    int first_turn, last_turn;
+    int first_rotation, last_rotation;
     int first_column, first_row;
   };
 
@@ -49,7 +49,7 @@ class FullSearch {
   template <typename Call>
   void forEachTransform(const Group& group, const Call& call) const;
   void add(const Group& group, Groups& groups) const;
-  /// Looks at some places; `best` is the best one up to then.
+  /// Searches some places; `best` is the best one up to then.
   void search(const core::PlaceIndex& places, std::size_t first_block, std::size_t last_block,
               ScoredPlace& best) const;
   void searchGroup(const core::PlaceBlock& block, std::size_t group,
@@ -65,9 +65,9 @@ class FullSearch {
   core::SearchWindow window_;
   core::PairFactors good_{};  ///< the factors above zero, rounded up
   core::PairFactors bad_{};   ///< the others, rounded up
-  core::BlockKernel kernel_ = core::fastestBlockKernel();
-  Groups coarse_;                        ///< several turns each
-  Groups fine_;                          ///< one turn each
+  core::BlockKernel kernel_ = core::chosenKernel(core::blockKernels());
+  Groups coarse_;                        ///< several rotations each
+  Groups fine_;                          ///< one rotation each
   std::vector<std::size_t> first_fine_;  ///< of each coarse group, and one past the last
 };
 

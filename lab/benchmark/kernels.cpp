@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ namespace {
 
 using ::benchmark::State;
 
-constexpr std::size_t kTransforms = 31;  // the turns of a compass window, each at one shift
+constexpr std::size_t kTransforms = 31;  // the rotations of a compass window, each at one shift
 
 /// A block of places, and a query under several transforms, as a search has them in its cache.
 struct KernelCase {
@@ -32,9 +33,9 @@ KernelCase makeCase(Setting& setting) {
   }
   const core::QueryPlanes planes(setting.simulated().local.front().scan.grid, core::kHeadingStep,
                                  static_cast<int>(kTransforms / 2));
-  for (int turn = -planes.turns(); turn <= planes.turns(); ++turn) {
+  for (int rotation = -planes.rotations(); rotation <= planes.rotations(); ++rotation) {
     for (std::size_t row = 0; row < core::kGridSize; ++row) {
-      made.query.push_back({planes.at(turn).occupied[row], planes.at(turn).empty[row]});
+      made.query.push_back({planes.at(rotation).occupied[row], planes.at(rotation).empty[row]});
     }
   }
   return made;
@@ -42,7 +43,8 @@ KernelCase makeCase(Setting& setting) {
 
 /// One iteration is one transform of one place. (The counts of unsensed cells follow from totals,
 /// which are sums that a transform, or a place, has once.)
-void evaluations(State& state, Setting& setting, const core::NamedKernel& kernel) {
+void evaluations(State& state, Setting& setting,
+                 const core::KernelVariant<core::BlockKernel>& kernel) {
   const KernelCase made = makeCase(setting);
   const core::KernelInput input{made.block.rows.data(), made.query.data(),
                                 core::kGridSize,        kTransforms,
@@ -59,10 +61,11 @@ void evaluations(State& state, Setting& setting, const core::NamedKernel& kernel
 }  // namespace
 
 void registerKernels(Setting& setting) {
-  for (const core::NamedKernel& kernel : core::blockKernels()) {
-    if (!kernel.runs_here) continue;
+  for (const auto& kernel : core::blockKernels()) {
+    const auto& sets = core::instructionSets();
+    if (std::find(sets.begin(), sets.end(), kernel.set) == sets.end()) continue;
     ::benchmark::RegisterBenchmark(
-        (std::string("evaluation/") + kernel.instructions).c_str(),
+        (std::string("evaluation/") + core::nameOf(kernel.set)).c_str(),
         [=, &setting](State& state) { evaluations(state, setting, kernel); });
   }
 }

@@ -20,7 +20,7 @@ void onePair(State& state, Setting& setting) {
       setting.parameters().match.heading_window, query.scan.grid.geometry().cell_size);
   const core::LatticeMetric metric = core::onLattice(setting.parameters().match.recognizer.metric,
                                                      window, query.scan.grid.geometry().cell_size);
-  const core::QueryPlanes planes(query.scan.grid, core::kHeadingStep, window.turns);
+  const core::QueryPlanes planes(query.scan.grid, core::kHeadingStep, window.rotations);
   const core::CellPlanes place(setting.simulated().places.front().grid);
   const CycleCounter cycles(state);
   int shift = -window.cells;
@@ -39,7 +39,7 @@ void preparation(State& state, Setting& setting, bool any_heading) {
       core::searchWindow(setting.parameters().match.recognizer.position_window, heading,
                          query.scan.grid.geometry().cell_size);
   for ([[maybe_unused]] auto _ : state) {
-    const core::QueryPlanes planes(query.scan.grid, core::kHeadingStep, window.turns);
+    const core::QueryPlanes planes(query.scan.grid, core::kHeadingStep, window.rotations);
     ::benchmark::DoNotOptimize(&planes);
   }
 }

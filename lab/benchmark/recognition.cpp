@@ -50,7 +50,7 @@ double evaluationsPerPlace(const core::RecognizerOptions& options, const core::P
   double evaluations = 0.0;
   const std::size_t counted = std::min(queries.size(), kCounted);
   for (std::size_t i = 0; i < counted; ++i) {
-    const core::QueryPlanes planes(queries[i]->scan.grid, core::kHeadingStep, window.turns);
+    const core::QueryPlanes planes(queries[i]->scan.grid, core::kHeadingStep, window.rotations);
     core::SearchEffort effort;
     core::searchPlaces(planes, index, metric, window, options.method, nullptr,
                        support::WorkerPool::shared(), &effort);
@@ -102,7 +102,7 @@ void fullSearch(State& state, Setting& setting, std::size_t size, bool any_headi
   std::size_t next = 0;
   for ([[maybe_unused]] auto _ : state) {
     const Query& query = *queries[next++ % queries.size()];
-    const core::QueryPlanes planes(query.scan.grid, core::kHeadingStep, window.turns);
+    const core::QueryPlanes planes(query.scan.grid, core::kHeadingStep, window.rotations);
     const core::PlaceAlignment found =
         core::searchPlaces(planes, index, metric, window, options.method, nullptr).front();
     const ScoredPlace known{found.place, found.alignment.score};

@@ -7,7 +7,7 @@
 #include "place_memory/core/sonar_model.h"
 #include "sim/building/building_generator.h"
 #include "sim/senses/simulated_scan.h"
-#include "threads.h"
+#include "support/parallel_for.h"
 #include "trials/simulated_trials.h"
 
 namespace place_memory::measure {
@@ -102,7 +102,8 @@ SimulatedPlaces simulatePlaces(std::size_t count) {
   SimulatedPlaces all;
   std::vector<Building> buildings(kAtATime);
   for (std::size_t first = 0; all.places.size() < count; first += kAtATime) {
-    inThreads(kAtATime, [&](std::size_t i) { buildings[i] = simulateBuilding(first + i); });
+    support::parallelFor(kAtATime,
+                         [&](std::size_t i) { buildings[i] = simulateBuilding(first + i); });
     for (std::size_t i = 0; i < kAtATime && all.places.size() < count; ++i) {
       append(buildings[i], first + i, all);
     }

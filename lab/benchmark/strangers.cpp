@@ -7,7 +7,7 @@
 #include "core/match/alignment_search.h"
 #include "setting.h"
 #include "spliced_places.h"
-#include "threads.h"
+#include "support/parallel_for.h"
 
 namespace place_memory::measure {
 namespace {
@@ -31,8 +31,8 @@ Scores scoresOf(const std::vector<const Query*>& queries,
                          any_heading ? core::kPi : parameters.match.heading_window, cell_size);
   const core::LatticeMetric metric = core::onLattice(options.metric, window, cell_size);
   Scores scores(queries.size() * strangers.size());
-  inThreads(queries.size(), [&](std::size_t q) {
-    const core::QueryPlanes query(queries[q]->scan.grid, core::kHeadingStep, window.turns);
+  support::parallelFor(queries.size(), [&](std::size_t q) {
+    const core::QueryPlanes query(queries[q]->scan.grid, core::kHeadingStep, window.rotations);
     for (std::size_t i = 0; i < strangers.size(); ++i) {
       scores[q * strangers.size() + i] =
           core::findAlignment(query, strangers[i], metric, window, options.method).score;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "spliced_places.h"
-#include "threads.h"
+#include "support/parallel_for.h"
 
 namespace place_memory::measure {
 
@@ -28,7 +28,7 @@ void SyntheticMemory::forEach(
   std::vector<KnownPlace> places;
   for (std::size_t first = 0; first < size_; first += kAtATime) {
     places.resize(std::min(kAtATime, size_ - first));
-    inThreads(places.size(), [&](std::size_t i) {
+    support::parallelFor(places.size(), [&](std::size_t i) {
       const std::size_t number = first + i;
       const std::size_t before = simulatedAmong(number);
       const bool is_simulated = simulatedAmong(number + 1) > before;

@@ -13,8 +13,8 @@ using core::Pose2d;
 constexpr double kWindow = 1.2;               // [m]
 constexpr double kHeadingWindow = kPi / 4.0;  // [rad]
 /// Steps of the first climb; each later one has half of them, down to half a cell.
-constexpr double kFirstStep = 0.5 * kWindow;         // [m]
-constexpr double kFirstTurn = 0.5 * kHeadingWindow;  // [rad]
+constexpr double kFirstStep = 0.5 * kWindow;             // [m]
+constexpr double kFirstRotation = 0.5 * kHeadingWindow;  // [rad]
 constexpr int kRestarts = 8;
 
 std::size_t cellOf(int row, int column) {
@@ -30,11 +30,11 @@ class Climb {
   YardstickMatch from(double yaw) {
     YardstickMatch best = evaluate({0.0, 0.0, yaw});
     double step = kFirstStep;
-    double turn = kFirstTurn;
+    double rotation = kFirstRotation;
     while (step >= 0.5 * cell_size_) {
-      if (improve(step, turn, best)) continue;
+      if (improve(step, rotation, best)) continue;
       step *= 0.5;
-      turn *= 0.5;
+      rotation *= 0.5;
     }
     best.evaluations = evaluations_;
     return best;
@@ -65,13 +65,13 @@ class Climb {
     return {pose, score, 0};
   }
 
-  bool improve(double step, double turn, YardstickMatch& best) {
+  bool improve(double step, double rotation, YardstickMatch& best) {
     const YardstickMatch from = best;
     for (const double sign : {-1.0, 1.0}) {
       const Pose2d& at = from.place_from_scan;
       const Pose2d next[] = {{at.x + sign * step, at.y, at.yaw},
                              {at.x, at.y + sign * step, at.yaw},
-                             {at.x, at.y, core::wrapAngle(at.yaw + sign * turn)}};
+                             {at.x, at.y, core::wrapAngle(at.yaw + sign * rotation)}};
       for (const Pose2d& pose : next) {
         if (std::max(std::abs(pose.x), std::abs(pose.y)) > kWindow + 1e-6) continue;
         if (!any_heading_ && std::abs(pose.yaw) > kHeadingWindow + 1e-6) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "config/memory_options.h"
 #include "experiments/recipes.h"
 #include "experiments/statistics.h"
 #include "place_memory/core/place_memory.h"
@@ -56,11 +57,9 @@ class Robot {
  private:
   static core::PlaceMemoryOptions memoryOptions(const config::Parameters& parameters,
                                                 const core::GridGeometry& geometry) {
-    core::PlaceMemoryOptions options;
+    core::PlaceMemoryOptions options = config::memoryOptions(parameters);
+    options.store_path.clear();
     options.cell_size = geometry.cell_size;
-    options.recognizer = parameters.match.recognizer;
-    options.adaptation = parameters.places;
-    options.sonar = parameters.sonar;
     return options;
   }
 

@@ -1,12 +1,10 @@
 #include "experiments/runner.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <exception>
 #include <map>
-#include <mutex>
-#include <thread>
+
+#include "support/parallel_for.h"
 
 namespace place_memory::experiments {
 namespace {
@@ -53,39 +51,15 @@ std::vector<Job> listJobs(const std::vector<Experiment>& experiments, std::size_
   return jobs;
 }
 
-void performAll(std::vector<Job>& jobs, const std::vector<Method>& methods,
-                const RunOptions& options,
-                const std::function<void(std::size_t, std::size_t)>& progress) {
-  std::atomic<std::size_t> next{0};
-  std::size_t done = 0;
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < jobs.size(); i = next++) {
-      try {
-        perform(jobs[i], methods, options);
-        const std::lock_guard<std::mutex> lock(mutex);
-        progress(++done, jobs.size());
-      } catch (...) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = jobs.size();
-      }
-    }
-  };
-  std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < options.threads; ++i) threads.emplace_back(work);
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
-}
-
 }  // namespace
 
 std::vector<Outcome> runExperiments(const std::vector<Experiment>& experiments,
                                     const std::vector<Method>& methods, const RunOptions& options,
                                     const std::function<void(std::size_t, std::size_t)>& progress) {
   std::vector<Job> jobs = listJobs(experiments, methods.size(), options);
-  performAll(jobs, methods, options, progress);
+  support::parallelFor(
+      jobs.size(), [&](std::size_t i) { perform(jobs[i], methods, options); }, options.threads,
+      [&](std::size_t done) { progress(done, jobs.size()); });
   std::vector<Outcome> outcomes;
   for (const Experiment& experiment : experiments) {
     for (std::size_t m = 0; m < methods.size(); ++m) {

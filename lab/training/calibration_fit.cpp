@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <optional>
 #include <tuple>
 
-#include "core/recognize/consensus.h"
+#include "core/recognize/ranking.h"
 #include "training/ranking_fit.h"
 
 namespace place_memory::training {
 namespace {
 
-using Regressors = Eigen::Matrix<double, std::tuple_size<core::Support>::value, 1>;
+using Regressors = Eigen::Matrix<double, std::tuple_size<core::CalibrationFeatures>::value, 1>;
 
 core::PairCounts countsOf(const Features& features) {
   core::PairCounts counts{};
@@ -33,54 +33,39 @@ struct Sample {
   double weight = 1.0;
 };
 
-/// The candidates as the recognizer ranks them, with their scores.
-struct Ranking {
-  std::vector<const Candidate*> order;
-  std::vector<double> scores;
-};
-
-Ranking rankingOf(const CandidateList& list, const RankingWeights& weights) {
-  Ranking ranking{ranked(list, weights.metric), {}};
-  for (const Candidate* candidate : ranking.order) {
-    ranking.scores.push_back(weights.metric.dot(candidate->features));
+/// The candidates, in this order, as the recognizer has the places of an index.
+core::AlignedPlaces aligned(const std::vector<const Candidate*>& order, const CandidateList& list,
+                            const Features& metric) {
+  core::AlignedPlaces places;
+  places.own = countsOf(list.own);
+  places.cell_size = list.cell_size;
+  for (const Candidate* candidate : order) {
+    places.places.push_back({metric.dot(candidate->features), candidate->place_from_scan});
   }
-  if (!weights.second_look) return ranking;
-  std::vector<double> again;
-  for (std::size_t i = 0; i < std::min(ranking.order.size(), core::kLookedAtAgain); ++i) {
-    again.push_back(core::scoreAgain(ranking.scores[i], ranking.order[i]->closely,
-                                     ranking.order[i]->falloff, *weights.second_look));
-  }
-  const std::vector<double> scores = core::combineLooks(ranking.scores, again);
-  std::vector<std::size_t> by_score(scores.size());
-  std::iota(by_score.begin(), by_score.end(), 0U);
-  std::stable_sort(by_score.begin(), by_score.end(),
-                   [&](std::size_t a, std::size_t b) { return scores[a] > scores[b]; });
-  Ranking anew;
-  for (const std::size_t i : by_score) {
-    anew.order.push_back(ranking.order[i]);
-    anew.scores.push_back(scores[i]);
-  }
-  return anew;
+  places.counts = [&order](std::size_t i) {
+    return core::AlignmentCounts{countsOf(order[i]->features), order[i]->near, order[i]->sharpness};
+  };
+  places.frames = [&order](const std::vector<std::size_t>& numbers) {
+    std::vector<core::PlaceFrame> frames;
+    for (const std::size_t i : numbers) frames.push_back({order[i]->map_from_place});
+    return std::optional(frames);
+  };
+  return places;
 }
 
 Sample sampleOf(const CandidateList& list, const RankingWeights& weights, double scale,
                 double weight) {
-  const Ranking ranking = rankingOf(list, weights);
+  core::RecognizerOptions options;
+  options.rescoring = weights.rescoring;
+  options.calibration.scale = scale;
+  const std::vector<const Candidate*> order = ranked(list, weights.metric);
+  const core::Ranking ranking =
+      core::rankPlaces(aligned(order, list, weights.metric), options).value();
   Sample sample;
-  std::vector<core::Opinion> opinions;
-  for (std::size_t i = 0; i < ranking.order.size(); ++i) {
-    const Candidate& candidate = *ranking.order[i];
-    const core::Pose2d& pose = candidate.place_from_scan;
-    opinions.push_back({ranking.scores[i], std::hypot(pose.x, pose.y), candidate.odom_from_scan});
-    sample.known = sample.known || candidate.right;
-  }
-  const core::Consensus consensus = core::findConsensus(opinions, list.cell_size);
-  const Candidate& match = *ranking.order[consensus.chosen];
-  const core::Support support =
-      core::supportOf(countsOf(match.features), match.closely, countsOf(list.own), consensus,
-                      list.candidates.size(), scale);
-  sample.regressors = Eigen::Map<const Regressors>(support.data());
-  sample.right = match.right;
+  sample.regressors = Eigen::Map<const Regressors>(ranking.features.data());
+  sample.right = order[ranking.places.front().number]->right;
+  sample.known = std::any_of(order.begin(), order.end(),
+                             [](const Candidate* candidate) { return candidate->right; });
   sample.weight = weight;
   return sample;
 }
@@ -104,7 +89,7 @@ double probabilityOf(const Sample& sample, const Regressors& coefficients) {
   return 1.0 / (1.0 + std::exp(-coefficients.dot(sample.regressors)));
 }
 
-core::Support fitLogistic(const std::vector<Sample>& samples, bool Sample::*holds) {
+core::CalibrationFeatures fitLogistic(const std::vector<Sample>& samples, bool Sample::*holds) {
   constexpr int kSteps = 60;
   constexpr double kRidge = 1e-5;
   using Hessian =
@@ -123,7 +108,7 @@ core::Support fitLogistic(const std::vector<Sample>& samples, bool Sample::*hold
     if (size > 2.0) step *= 2.0 / size;
     coefficients -= step;
   }
-  core::Support result;
+  core::CalibrationFeatures result;
   Eigen::Map<Regressors>(result.data()) = coefficients;
   return result;
 }
@@ -134,8 +119,8 @@ core::Calibration fitCalibration(const std::vector<CandidateList>& known,
                                  const std::vector<CandidateList>& strangers,
                                  const RankingWeights& weights) {
   core::Calibration calibration;
-  // A second look's scores are in nats already: it is fitted on the scale of its first look.
-  if (!weights.second_look) calibration.scale = bestScale(firstChoices(known), weights.metric);
+  // Re-scoring scores are in nats already: the weights are fitted on the search score's scale.
+  if (!weights.rescoring) calibration.scale = bestScale(searchChoices(known), weights.metric);
   const std::vector<Sample> samples = samplesOf(known, strangers, weights, calibration.scale);
   calibration.right = fitLogistic(samples, &Sample::right);
   calibration.known = fitLogistic(samples, &Sample::known);

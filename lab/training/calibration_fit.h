@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/recognize/verdict.h"
+#include "place_memory/core/calibration.h"
+#include "place_memory/core/rescoring_weights.h"
 #include "training/candidates.h"
 
 namespace place_memory::training {
@@ -12,7 +13,7 @@ namespace place_memory::training {
 /// By what places are ranked.
 struct RankingWeights {
   Features metric = Features::Zero();
-  std::optional<core::SecondLook> second_look;
+  std::optional<core::RescoringWeights> rescoring;
 };
 
 /// Fits the calibration by logistic regression. `known` are scans at learned places, `strangers`

@@ -3,33 +3,35 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/match/alignment_search.h"
-#include "core/match/lattice.h"
-#include "core/recognize/falloff.h"
+#include "core/recognize/scan_query.h"
+#include "place_memory/core/recognizer_options.h"
 
 namespace place_memory::training {
 namespace {
 
-Features featuresAt(const core::QueryPlanes& query, const core::CellPlanes& learned,
-                    const core::Alignment& at, const core::SearchWindow& window, double cell_size,
-                    bool overlap_only) {
-  const core::CellPlanes& turned = query.at(at.turn);
+Features featuresAt(const core::ScanQuery& query, const core::CellPlanes& learned,
+                    const core::Alignment& at) {
+  const core::CellPlanes& rotated = query.planes().at(at.rotation);
   const core::PairCounts counts =
-      overlap_only ? core::countOverlap(turned, query.reach(at.turn), at.shift, learned)
-                   : core::countPairs(turned, at.shift, learned);
+      query.metric().overlap_only
+          ? core::countOverlap(rotated, query.planes().reach(at.rotation), at.shift, learned)
+          : core::countPairs(rotated, at.shift, learned);
   Features features;
   Eigen::Index i = 0;
   for (const auto& row : counts) {
     for (const int count : row) features[i++] = count;
   }
+  const core::SearchWindow& window = query.window();
   const int cells = at.shift.columns * at.shift.columns + at.shift.rows * at.shift.rows;
-  features[i++] = cells * cell_size * cell_size;
-  const double turn = window.turns > 0 ? static_cast<double>(at.turn) / window.turns : 0.0;
-  features[i] = window.circular ? 0.0 : turn * turn;
+  features[i++] = cells * query.cellSize() * query.cellSize();
+  const double rotation =
+      window.rotations > 0 ? static_cast<double>(at.rotation) / window.rotations : 0.0;
+  features[i] = window.circular ? 0.0 : rotation * rotation;
   return features;
 }
 
-constexpr Eigen::Index kLookFeatures = 1 + 9 + 9 + static_cast<Eigen::Index>(core::kNearCells) + 2;
+constexpr Eigen::Index kRescoringFeatures =
+    1 + 9 + 9 + static_cast<Eigen::Index>(core::kNearPairs) + 2;
 
 /// An alignment this near to the truth is right [cells, heading steps].
 constexpr double kAtTruth = 3.5;
@@ -38,7 +40,8 @@ class Memory {
  public:
   Memory(const trials::TrialSet& set, const core::SonarModel& model,
          const core::MatchMetric& metric)
-      : set_(set), model_(model), metric_(metric) {
+      : set_(set), model_(model) {
+    options_.metric = metric;
     for (const trials::LearnedScan& scan : set.learned) {
       places_.emplace_back(model.build(scan.readings, {set.cell_size}));
     }
@@ -46,33 +49,24 @@ class Memory {
 
   CandidateList align(const trials::RecognitionTrial& trial) const {
     const core::EvidenceGrid grid = model_.build(trial.readings, {set_.cell_size});
-    const core::RecognizerOptions options;
-    const core::SearchWindow window =
-        core::searchWindow(options.position_window, trial.heading_window, set_.cell_size);
-    const core::QueryPlanes query(grid, core::kHeadingStep, window.turns);
-    const core::LatticeMetric metric = core::onLattice(metric_, window, set_.cell_size);
+    const core::ScanQuery query(grid, options_, trial.heading_window);
     CandidateList list;
     list.cell_size = set_.cell_size;
     list.weight = 1.0 / std::sqrt(static_cast<double>(set_.trials.size()));
-    list.own =
-        featuresAt(query, core::CellPlanes(grid), {}, window, set_.cell_size, metric_.overlap_only);
+    list.own = featuresAt(query, core::CellPlanes(grid), {});
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      const core::Alignment found =
-          core::findAlignment(query, places_[i], metric, window, core::SearchMethod::kRestarts);
+      const core::Alignment found = query.align(places_[i]);
+      const core::AlignmentCounts counts = query.countsAt(found, places_[i]);
       const auto& accept = trial.accept;
       const bool right =
           std::find(accept.begin(), accept.end(), set_.learned[i].label) != accept.end();
-      const core::Pose2d place_from_scan{found.shift.columns * set_.cell_size,
-                                         found.shift.rows * set_.cell_size,
-                                         core::wrapAngle(found.turn * core::kHeadingStep)};
-      const core::Pose2d odom_from_scan = set_.learned[i].odom_from_scan * place_from_scan;
-      const bool at_truth =
-          right || (!accept.empty() && near(odom_from_scan, trial.odom_from_scan));
-      list.candidates.push_back(
-          {i, right, at_truth, place_from_scan, odom_from_scan,
-           featuresAt(query, places_[i], found, window, set_.cell_size, metric_.overlap_only),
-           core::countClosely(query.at(found.turn), found.shift, places_[i]),
-           core::falloffAt(query, places_[i], metric, window, found)});
+      const core::Pose2d place_from_scan = query.poseOf(found);
+      const core::Pose2d& map_from_place = set_.learned[i].odom_from_scan;
+      const bool at_truth = right || (!accept.empty() &&
+                                      near(map_from_place * place_from_scan, trial.odom_from_scan));
+      list.candidates.push_back({i, right, at_truth, place_from_scan, map_from_place,
+                                 featuresAt(query, places_[i], found), counts.near,
+                                 counts.sharpness});
     }
     return list;
   }
@@ -85,7 +79,7 @@ class Memory {
 
   const trials::TrialSet& set_;
   const core::SonarModel& model_;
-  const core::MatchMetric& metric_;
+  core::RecognizerOptions options_;
   std::vector<core::CellPlanes> places_;
 };
 
@@ -98,7 +92,7 @@ Features asWeights(const core::MatchMetric& metric) {
     for (const double weight : row) weights[i++] = weight;
   }
   weights[i++] = -metric.shift_cost;
-  weights[i] = -metric.turn_cost;
+  weights[i] = -metric.rotation_cost;
   return weights;
 }
 
@@ -109,38 +103,38 @@ core::MatchMetric asMetric(const Features& weights) {
     for (double& weight : row) weight = weights[i++];
   }
   metric.shift_cost = std::max(-weights[i], 0.0);
-  metric.turn_cost = std::max(-weights[i + 1], 0.0);
+  metric.rotation_cost = std::max(-weights[i + 1], 0.0);
   return metric;
 }
 
-Eigen::VectorXd asWeights(const core::SecondLook& look) {
-  Eigen::VectorXd weights(kLookFeatures);
+Eigen::VectorXd asWeights(const core::RescoringWeights& rescoring) {
+  Eigen::VectorXd weights(kRescoringFeatures);
   Eigen::Index i = 0;
-  weights[i++] = look.first;
-  for (const auto* ring : {&look.inner, &look.middle}) {
+  weights[i++] = rescoring.search_score;
+  for (const auto* ring : {&rescoring.inner, &rescoring.middle}) {
     for (const auto& row : *ring) {
       for (const double weight : row) weights[i++] = weight;
     }
   }
-  for (const double weight : look.near) weights[i++] = weight;
-  weights[i++] = look.beside;
-  weights[i] = look.turned;
+  for (const double weight : rescoring.near) weights[i++] = weight;
+  weights[i++] = rescoring.peak_sharpness_shift;
+  weights[i] = rescoring.peak_sharpness_rotation;
   return weights;
 }
 
-core::SecondLook asSecondLook(const Eigen::VectorXd& weights) {
-  core::SecondLook look;
+core::RescoringWeights asRescoringWeights(const Eigen::VectorXd& weights) {
+  core::RescoringWeights rescoring;
   Eigen::Index i = 0;
-  look.first = std::max(weights[i++], 0.0);
-  for (auto* ring : {&look.inner, &look.middle}) {
+  rescoring.search_score = std::max(weights[i++], 0.0);
+  for (auto* ring : {&rescoring.inner, &rescoring.middle}) {
     for (auto& row : *ring) {
       for (double& weight : row) weight = weights[i++];
     }
   }
-  for (double& weight : look.near) weight = weights[i++];
-  look.beside = weights[i++];
-  look.turned = weights[i];
-  return look;
+  for (double& weight : rescoring.near) weight = weights[i++];
+  rescoring.peak_sharpness_shift = weights[i++];
+  rescoring.peak_sharpness_rotation = weights[i];
+  return rescoring;
 }
 
 std::vector<const Candidate*> ranked(const CandidateList& list, const Features& weights) {
@@ -152,7 +146,7 @@ std::vector<const Candidate*> ranked(const CandidateList& list, const Features& 
   return order;
 }
 
-std::vector<Choice> firstChoices(const std::vector<CandidateList>& lists) {
+std::vector<Choice> searchChoices(const std::vector<CandidateList>& lists) {
   std::vector<Choice> choices;
   for (const CandidateList& list : lists) {
     Choice choice{Eigen::MatrixXd(list.candidates.size(), kFeatures), {}, list.weight};
@@ -165,25 +159,25 @@ std::vector<Choice> firstChoices(const std::vector<CandidateList>& lists) {
   return choices;
 }
 
-std::vector<Choice> secondChoices(const std::vector<CandidateList>& lists,
-                                  const Features& weights) {
+std::vector<Choice> rescoringChoices(const std::vector<CandidateList>& lists,
+                                     const Features& weights) {
   std::vector<Choice> choices;
   for (const CandidateList& list : lists) {
     std::vector<const Candidate*> order = ranked(list, weights);
-    order.resize(std::min(order.size(), core::kLookedAtAgain));
-    Choice choice{Eigen::MatrixXd(order.size(), kLookFeatures), {}, list.weight};
+    order.resize(std::min(order.size(), core::kRescored));
+    Choice choice{Eigen::MatrixXd(order.size(), kRescoringFeatures), {}, list.weight};
     for (const Candidate* candidate : order) {
       const auto row = static_cast<Eigen::Index>(choice.right.size());
       Eigen::Index i = 0;
       choice.features(row, i++) = weights.dot(candidate->features);
-      for (const auto* ring : {&candidate->closely.inner, &candidate->closely.middle}) {
+      for (const auto* ring : {&candidate->near.inner, &candidate->near.middle}) {
         for (const auto& counts : *ring) {
           for (const int count : counts) choice.features(row, i++) = count;
         }
       }
-      for (const int count : candidate->closely.near) choice.features(row, i++) = count;
-      choice.features(row, i++) = candidate->falloff.beside;
-      choice.features(row, i) = candidate->falloff.turned;
+      for (const int count : candidate->near.near) choice.features(row, i++) = count;
+      choice.features(row, i++) = candidate->sharpness.shift;
+      choice.features(row, i) = candidate->sharpness.rotation;
       choice.right.push_back(candidate->at_truth);
     }
     choices.push_back(std::move(choice));

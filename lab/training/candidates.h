@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/match/match_metric.h"
-#include "core/recognize/second_look.h"
+#include "core/recognize/rescoring.h"
+#include "place_memory/core/match_metric.h"
 #include "place_memory/core/sonar_model.h"
 #include "training/ranking_fit.h"
 #include "trials/trial_set.h"
@@ -14,7 +14,7 @@
 namespace place_memory::training {
 
 /// What a MatchMetric is linear in: nine counts of pairs, the square of the shift [m^2], and the
-/// square of the turn as a share of the heading window (0 for any heading).
+/// square of the rotation as a share of the heading window (0 for any heading).
 constexpr int kFeatures = 11;
 using Features = Eigen::Matrix<double, kFeatures, 1>;
 
@@ -24,10 +24,10 @@ struct Candidate {
   bool right = false;            ///< its label is right
   bool at_truth = false;         ///< right, or the alignment puts the robot where it stood
   core::Pose2d place_from_scan;  ///< the alignment
-  core::Pose2d odom_from_scan;   ///< what follows from it
+  core::Pose2d map_from_place;   ///< where the place lies
   Features features = Features::Zero();
-  core::CloseCounts closely;
-  core::Falloff falloff;
+  core::RescoringCounts near;
+  core::PeakSharpness sharpness;
 };
 
 /// All places against one scan.
@@ -44,17 +44,18 @@ Features asWeights(const core::MatchMetric& metric);
 core::MatchMetric asMetric(const Features& weights);
 constexpr Eigen::Index kCosts = 2;  ///< of the features, at their end: weights are at most 0
 
-/// What a SecondLook is linear in: the score of the first look, nine pairs of either ring, the near
-/// cells, and the falloff.
-Eigen::VectorXd asWeights(const core::SecondLook& look);
-core::SecondLook asSecondLook(const Eigen::VectorXd& weights);
+/// What re-scoring is linear in: the search's score, nine pairs of either ring, the near pairs, and
+/// the peak's sharpness.
+Eigen::VectorXd asWeights(const core::RescoringWeights& rescoring);
+core::RescoringWeights asRescoringWeights(const Eigen::VectorXd& weights);
 
 /// Every list as a choice among all its candidates.
-std::vector<Choice> firstChoices(const std::vector<CandidateList>& lists);
-/// Every list as a choice among those that the second look is taken at.
-std::vector<Choice> secondChoices(const std::vector<CandidateList>& lists, const Features& weights);
+std::vector<Choice> searchChoices(const std::vector<CandidateList>& lists);
+/// Every list as a choice among those that are re-scored.
+std::vector<Choice> rescoringChoices(const std::vector<CandidateList>& lists,
+                                     const Features& weights);
 
-/// Candidates by falling score of the first look. Equal ones keep their order.
+/// Candidates by falling search score. Equal ones keep their order.
 std::vector<const Candidate*> ranked(const CandidateList& list, const Features& weights);
 
 /// Aligns every scan of the set with every place, by hill climbing with restarts.

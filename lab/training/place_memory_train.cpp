@@ -1,20 +1,19 @@
 #include <algorithm>
-#include <atomic>
 #include <boost/algorithm/string/join.hpp>
 #include <boost/program_options.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
-#include <mutex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "place_memory/config/match_preset.h"
 #include "place_memory/core/recognizer_options.h"
+#include "support/parallel_for.h"
 #include "support/progress_bar.h"
 #include "training/calibration_fit.h"
 #include "training/candidates.h"
@@ -41,8 +40,8 @@ constexpr place_memory::core::PairWeights kPriorWeights{
     {{0.87, 0.64, -1.38}, {0.05, 0.17, -1.10}, {-2.23, -1.50, 3.52}}};
 /// A place this near is no stranger: its grid shows the same walls [m].
 constexpr double kStrangerDistance = 2.5;
-/// Pull of the second look towards the first.
-constexpr double kSecondLookRidge = 1e-4;
+/// Pull of the re-scoring towards the search score.
+constexpr double kRescoringRidge = 1e-4;
 
 struct Settings {
   std::uint64_t seeds = 240;
@@ -100,24 +99,17 @@ Settings parse(int argc, char** argv) {
   return settings;
 }
 
-/// Calls work(i) for every i below count, on all processors.
-template <typename Work>
-void forEach(std::size_t count, const std::string& what, const Work& work) {
+/// Calls work(i) for every i below count, on all processors; `what` is counted on a bar.
+void forEach(std::size_t count, const std::string& what,
+             const std::function<void(std::size_t)>& work) {
   place_memory::support::ProgressBar bar(count, what, std::cerr);
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;
-  std::size_t done = 0;
-  std::vector<std::thread> threads;
-  for (unsigned t = 0; t < std::max(1U, std::thread::hardware_concurrency()); ++t) {
-    threads.emplace_back([&] {
-      for (std::size_t i = next++; i < count; i = next++) {
-        work(i);
-        const std::lock_guard<std::mutex> lock(mutex);
-        bar.show(++done);
-      }
-    });
+  try {
+    place_memory::support::parallelFor(count, work, 0,
+                                       [&bar](std::size_t done) { bar.show(done); });
+  } catch (...) {
+    bar.finish();  // what is said of it has a line of its own
+    throw;
   }
-  for (std::thread& thread : threads) thread.join();
   bar.finish();
 }
 
@@ -158,7 +150,7 @@ void mergeRound(const Lists& round, Lists& merged) {
   }
 }
 
-/// Fits the metric in rounds, then the second look at what the last metric ranks first.
+/// Fits the metric in rounds, then the re-scoring of what the last metric ranks first.
 RankingWeights fitWeights(const std::vector<TrialSet>& sets, double ridge) {
   const Eigen::VectorXd prior = asWeights(MatchMetric{kPriorWeights, 0.0, 0.0});
   RankingWeights weights;
@@ -167,18 +159,18 @@ RankingWeights fitWeights(const std::vector<TrialSet>& sets, double ridge) {
   for (int round = 1; round <= kRounds; ++round) {
     const Lists lists = joined(align(sets, asMetric(weights.metric)));
     mergeRound(lists, merged);
-    weights.metric = fitRanking(firstChoices(merged), prior, ridge, kCosts);
+    weights.metric = fitRanking(searchChoices(merged), prior, ridge, kCosts);
     std::cout << "round " << round << ": " << lists.size() << " scans, loss "
-              << rankingLoss(firstChoices(lists), weights.metric) << ", top-1 "
-              << topOne(firstChoices(lists), weights.metric) << std::endl;
+              << rankingLoss(searchChoices(lists), weights.metric) << ", top-1 "
+              << topOne(searchChoices(lists), weights.metric) << std::endl;
   }
   const std::vector<Choice> choices =
-      secondChoices(joined(align(sets, asMetric(weights.metric))), weights.metric);
-  const Eigen::VectorXd look =
-      fitRanking(choices, asWeights(place_memory::core::SecondLook{}), kSecondLookRidge, 0);
-  std::cout << "second look: loss " << rankingLoss(choices, look) << ", top-1 "
-            << topOne(choices, look) << std::endl;
-  weights.second_look = asSecondLook(look);
+      rescoringChoices(joined(align(sets, asMetric(weights.metric))), weights.metric);
+  const Eigen::VectorXd rescoring =
+      fitRanking(choices, asWeights(place_memory::core::RescoringWeights{}), kRescoringRidge, 0);
+  std::cout << "re-scoring: loss " << rankingLoss(choices, rescoring) << ", top-1 "
+            << topOne(choices, rescoring) << std::endl;
+  weights.rescoring = asRescoringWeights(rescoring);
   return weights;
 }
 
@@ -211,9 +203,9 @@ int train(const Settings& settings) {
     }
     const RankingWeights fitted = fitWeights(sets, settings.ridge);
     preset.metric = asMetric(fitted.metric);
-    preset.second_look = fitted.second_look;
+    preset.rescoring = fitted.rescoring;
   }
-  const RankingWeights weights{asWeights(preset.metric), preset.second_look};
+  const RankingWeights weights{asWeights(preset.metric), preset.rescoring};
 
   const std::vector<TrialSet> sets = simulate(for_metric, settings.seeds - for_metric);
   const std::vector<Lists> aligned = align(sets, preset.metric);
@@ -231,8 +223,8 @@ int train(const Settings& settings) {
   const CalibrationReport report =
       reportCalibration(joined(held_back), strangersTo(others, held_back, preset.metric), weights,
                         preset.calibration, confidence);
-  const std::vector<Choice> choices = firstChoices(joined(held_back));
-  std::cout << "held back: first look: loss " << rankingLoss(choices, weights.metric) << ", top-1 "
+  const std::vector<Choice> choices = searchChoices(joined(held_back));
+  std::cout << "held back: search: loss " << rankingLoss(choices, weights.metric) << ", top-1 "
             << topOne(choices, weights.metric) << "; answers: top-1 " << report.top_one
             << "; with confidence " << confidence << ": recognized and right " << report.recognized
             << ", recognized and wrong " << report.wrong << ", strangers accepted "

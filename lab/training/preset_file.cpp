@@ -20,27 +20,31 @@ void writeTable(std::ostream& out, const std::string& indent, const core::PairWe
   }
 }
 
-void writeSecondLook(std::ostream& out, const core::SecondLook& look) {
-  out << "\n# A second look at the places that score best: `first` times their score, points for "
-         "pairs of\n# cells within nine cells of the place and from there to seventeen, for cells "
-         "that "
-         "lie near one\n# another, and for how the first look's score changes by a shift of two "
-         "cells and by a turn of six\n# degrees.\nsecond_look:\n  first: "
-      << number(look.first) << "  # in [0, 1000]\n  inner:\n";
-  writeTable(out, "    ", look.inner);
+void writeRescoring(std::ostream& out, const core::RescoringWeights& rescoring) {
+  out << "\n# Re-scoring of the places that score best: `search_score` times their score, points "
+         "for "
+         "pairs of\n# cells within nine cells of the place and from there to seventeen, for pairs "
+         "that lie near one\n# another, and for the peak's sharpness: how the search's score "
+         "changes "
+         "by a shift of two cells and\n# by a rotation of six degrees.\nrescoring:\n  "
+         "search_score: "
+      << number(rescoring.search_score) << "  # in [0, 1000]\n  inner:\n";
+  writeTable(out, "    ", rescoring.inner);
   out << "  middle:\n";
-  writeTable(out, "    ", look.middle);
-  for (std::size_t i = 0; i < core::kNearCells; ++i) {
-    out << "  " << core::kNearCellsNames[i] << ": " << number(look.near[i])
+  writeTable(out, "    ", rescoring.middle);
+  for (std::size_t i = 0; i < core::kNearPairs; ++i) {
+    out << "  " << core::kNearPairsNames[i] << ": " << number(rescoring.near[i])
         << "  # in [-1000, 1000]\n";
   }
-  out << "  beside: " << number(look.beside) << "  # in [-1000, 1000]\n"
-      << "  turned: " << number(look.turned) << "  # in [-1000, 1000]\n";
+  out << "  peak_sharpness_shift: " << number(rescoring.peak_sharpness_shift)
+      << "  # in [-1000, 1000]\n"
+      << "  peak_sharpness_rotation: " << number(rescoring.peak_sharpness_rotation)
+      << "  # in [-1000, 1000]\n";
 }
 
-void writeCoefficients(std::ostream& out, const core::Support& coefficients) {
+void writeCoefficients(std::ostream& out, const core::CalibrationFeatures& coefficients) {
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
-    out << "    " << core::kSupportNames[i] << ": " << number(coefficients[i])
+    out << "    " << core::kCalibrationFeatureNames[i] << ": " << number(coefficients[i])
         << "  # in [-1000, 1000]\n";
   }
 }
@@ -58,17 +62,17 @@ void writePreset(const std::string& path, const std::string& origin,
   file << "\n# What an alignment costs that is far from where the robot is expected to stand.\n"
        << "shift_cost: " << number(preset.metric.shift_cost)
        << "  # of the shift's square [points / m^2], >= 0\n"
-       << "turn_cost: " << number(preset.metric.turn_cost)
-       << "  # of a turn to the edge of the heading window, by its square [points], >= 0\n";
+       << "rotation_cost: " << number(preset.metric.rotation_cost)
+       << "  # of a rotation to the edge of the heading window, by its square [points], >= 0\n";
   if (preset.metric.overlap_only) {
     file << "\n# Only cells where the moved recognition grid and the learned one overlap are "
             "pairs.\n"
             "overlap_only: true\n";
   }
-  if (preset.second_look) writeSecondLook(file, *preset.second_look);
+  if (preset.rescoring) writeRescoring(file, *preset.rescoring);
   const core::Calibration& c = preset.calibration;
   file << "\n# From scores to probabilities: coefficients of log odds. What they are taken with: "
-          "kSupportNames in\n# core/verdict.h.\ncalibration:\n"
+          "kCalibrationFeatureNames\n# in place_memory/core/calibration.h.\ncalibration:\n"
        << "  scale: " << number(c.scale) << "  # [1 / score], in (0, 1000]\n"
        << "  right:  # that the best match is right\n";
   writeCoefficients(file, c.right);

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "core/recognize/pose_estimate.h"
+#include "core/recognize/scan_query.h"
 #include "place_memory/core/recognizer_options.h"
 
 namespace place_memory::training {
@@ -28,26 +28,23 @@ struct Errors {
 void addTrial(const trials::TrialSet& set, const trials::RecognitionTrial& trial,
               const trials::LearnedScan& learned, const core::SonarModel& model,
               const core::MatchMetric& metric, Errors& errors) {
-  const core::RecognizerOptions options;
-  const core::SearchWindow window =
-      core::searchWindow(options.position_window, trial.heading_window, set.cell_size);
-  const core::QueryPlanes query(model.build(trial.readings, {set.cell_size}), core::kHeadingStep,
-                                window.turns);
+  core::RecognizerOptions options;
+  options.metric = metric;
+  const core::ScanQuery query(model.build(trial.readings, {set.cell_size}), options,
+                              trial.heading_window);
   const core::CellPlanes place(model.build(learned.readings, {set.cell_size}));
-  const core::LatticeMetric lattice = core::onLattice(metric, window, set.cell_size);
-  const core::Alignment best =
-      core::findAlignment(query, place, lattice, window, core::SearchMethod::kRestarts);
+  const core::Alignment best = query.align(place);
   const core::Pose2d truth = learned.odom_from_scan.inverse() * trial.odom_from_scan;
   if (std::hypot(best.shift.columns - truth.x / set.cell_size,
                  best.shift.rows - truth.y / set.cell_size) > kImprecise ||
-      std::abs(core::wrapAngle(best.turn * core::kHeadingStep - truth.yaw)) >
+      std::abs(core::wrapAngle(best.rotation * core::kHeadingStep - truth.yaw)) >
           kImprecise * core::kHeadingStep) {
     return;
   }
   errors.count += 1.0;
   for (std::size_t i = 0; i < kCandidates; ++i) {
-    const core::PoseEstimate estimate =
-        core::estimatePose(query, place, lattice, window, best, set.cell_size, candidate(i));
+    const core::PoseEstimate estimate = core::estimatePose(
+        query.planes(), place, query.metric(), query.window(), best, set.cell_size, candidate(i));
     const core::Pose2d& pose = estimate.place_from_scan;
     const Eigen::Vector3d error(pose.x - truth.x, pose.y - truth.y,
                                 core::wrapAngle(pose.yaw - truth.yaw));

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/match/match_metric.h"
+#include "place_memory/core/match_metric.h"
 #include "place_memory/core/sonar_model.h"
 #include "trials/trial_set.h"
 

@@ -73,6 +73,9 @@ void readMatch(ParameterReader& reader, MatchOptions& match) {
   reader.number("match/position_window", leftOpen(0.0, 100.0), match.recognizer.position_window);
   reader.number("match/heading_window", closed(0.0, core::kPi), match.heading_window);
   reader.number("match/confidence", open(0.5, 1.0), match.recognizer.confidence);
+  int threads = 0;
+  reader.integer("match/threads", closed(0, static_cast<double>(core::kMostThreads)), threads);
+  match.recognizer.threads = static_cast<std::size_t>(threads);
 }
 
 void readPlaces(ParameterReader& reader, core::AdaptationOptions& places) {
@@ -131,7 +134,7 @@ Parameters finish(ParameterReader& reader) {
   try {
     const MatchPreset preset = loadPreset(parameters.match.preset);
     parameters.match.recognizer.metric = preset.metric;
-    parameters.match.recognizer.second_look = preset.second_look;
+    parameters.match.recognizer.rescoring = preset.rescoring;
     parameters.match.recognizer.calibration = preset.calibration;
     parameters.match.recognizer.located = !parameters.odom_frame.empty();
   } catch (const ParameterError& error) {

@@ -2,7 +2,9 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <boost/algorithm/string/join.hpp>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "config/parameter_reader.h"
@@ -36,16 +38,65 @@ void takeWeights(YAML::Node& table, const std::string& key, const std::string& w
   table.remove(key);
 }
 
+/// What older presets called otherwise, by its path.
+struct Renamed {
+  std::vector<std::string> was;
+  const char* is;
+};
+
+std::vector<Renamed> renamedKeys() {
+  std::vector<Renamed> renamed{
+      {{"turn_cost"}, "rotation_cost"},
+      {{"second_look"}, "rescoring"},
+      {{"second_look", "first"}, "rescoring/search_score"},
+      {{"second_look", "beside"}, "rescoring/peak_sharpness_shift"},
+      {{"second_look", "turned"}, "rescoring/peak_sharpness_rotation"},
+  };
+  for (const char* coefficients : {"right", "known"}) {
+    const std::vector<std::pair<const char*, const char*>> features{
+        {"lead", "margin"},
+        {"prominence", "mean_margin"},
+        {"uncontested", "unopposed"},
+        {"fewness", "inverse_place_count"}};
+    for (const auto& [was, is] : features) {
+      renamed.push_back({{"calibration", coefficients, was}, is});
+    }
+  }
+  return renamed;
+}
+
+/// Whether the table has what the path names.
+bool has(const YAML::Node& table, const std::vector<std::string>& path) {
+  YAML::Node node = table;
+  for (const std::string& key : path) {
+    if (!node.IsMap() || !node[key]) return false;
+    node.reset(node[key]);
+  }
+  return true;
+}
+
+/// Throws ParameterError where the table has keys of an older version.
+void refuseOldKeys(const YAML::Node& root, const std::string& source) {
+  std::vector<std::string> problems;
+  for (const Renamed& key : renamedKeys()) {
+    if (!has(root, key.was)) continue;
+    problems.push_back(boost::algorithm::join(key.was, "/") + " (" + source + "): is called " +
+                       key.is + " now; rename it in the file");
+  }
+  if (!problems.empty()) throw ParameterError(problems);
+}
+
 MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   MatchPreset preset;
   std::vector<std::string> problems;
   if (!root.IsMap()) throw ParameterError({source + ": must be a table"});
+  refuseOldKeys(root, source);
   takeWeights(root, "weights", "weights (" + source + ")", preset.metric.weights, problems);
-  core::SecondLook look;
-  YAML::Node second = root["second_look"];
-  if (second && second.IsMap()) {
-    takeWeights(second, "inner", "second_look/inner (" + source + ")", look.inner, problems);
-    takeWeights(second, "middle", "second_look/middle (" + source + ")", look.middle, problems);
+  core::RescoringWeights rescoring;
+  YAML::Node section = root["rescoring"];
+  if (section && section.IsMap()) {
+    takeWeights(section, "inner", "rescoring/inner (" + source + ")", rescoring.inner, problems);
+    takeWeights(section, "middle", "rescoring/middle (" + source + ")", rescoring.middle, problems);
   }
 
   ParameterReader reader;
@@ -58,20 +109,20 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   };
   reader.number("shift_cost", {0.0, 1e6, true, true}, preset.metric.shift_cost);
   reader.flag("overlap_only", preset.metric.overlap_only);
-  reader.number("turn_cost", {0.0, 1e6, true, true}, preset.metric.turn_cost);
-  if (second) {
-    needed("second_look/first", {0.0, 1000.0, true, true}, look.first);
-    for (std::size_t i = 0; i < core::kNearCells; ++i) {
-      needed(std::string("second_look/") + core::kNearCellsNames[i], any, look.near[i]);
+  reader.number("rotation_cost", {0.0, 1e6, true, true}, preset.metric.rotation_cost);
+  if (section) {
+    needed("rescoring/search_score", {0.0, 1000.0, true, true}, rescoring.search_score);
+    for (std::size_t i = 0; i < core::kNearPairs; ++i) {
+      needed(std::string("rescoring/") + core::kNearPairsNames[i], any, rescoring.near[i]);
     }
-    needed("second_look/beside", any, look.beside);
-    needed("second_look/turned", any, look.turned);
-    preset.second_look = look;
+    needed("rescoring/peak_sharpness_shift", any, rescoring.peak_sharpness_shift);
+    needed("rescoring/peak_sharpness_rotation", any, rescoring.peak_sharpness_rotation);
+    preset.rescoring = rescoring;
   }
   core::Calibration& calibration = preset.calibration;
   needed("calibration/scale", {0.0, 1000.0, false, true}, calibration.scale);
-  for (std::size_t i = 0; i < core::kSupportNames.size(); ++i) {
-    const std::string name = core::kSupportNames[i];
+  for (std::size_t i = 0; i < core::kCalibrationFeatureNames.size(); ++i) {
+    const std::string name = core::kCalibrationFeatureNames[i];
     needed("calibration/right/" + name, any, calibration.right[i]);
     needed("calibration/known/" + name, any, calibration.known[i]);
   }

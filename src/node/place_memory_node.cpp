@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "config/memory_options.h"
 #include "node/answer/answer_words.h"
 #include "node/conversions.h"
 #include "node/input/sensor_placement.h"
@@ -99,13 +100,8 @@ void PlaceMemoryNode::onDiagnosticsTimer() {
 void PlaceMemoryNode::stop() { scan_server_.stop(); }
 
 std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
-  core::PlaceMemoryOptions options;
-  options.store_path = parameters_.store;
+  core::PlaceMemoryOptions options = config::memoryOptions(parameters_);
   options.opening.progress = [](const std::string& sentence) { ROS_INFO("%s", sentence.c_str()); };
-  options.cell_size = parameters_.grid.cell_size;
-  options.recognizer = parameters_.match.recognizer;
-  options.adaptation = parameters_.places;
-  options.sonar = parameters_.sonar;
   options.clock = rosNow;
   try {
     return std::make_unique<core::PlaceMemory>(options);

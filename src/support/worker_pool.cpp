@@ -21,6 +21,10 @@ void watch(const Condition& holds) {
 
 }  // namespace
 
+std::size_t processorThreads() {
+  return std::max<std::size_t>(1, std::thread::hardware_concurrency());
+}
+
 struct WorkerPool::Job {
   Job(std::size_t all_tasks, const std::function<void(std::size_t)>& each_task)
       : tasks(all_tasks), task(each_task) {}
@@ -34,10 +38,17 @@ struct WorkerPool::Job {
 };
 
 WorkerPool::WorkerPool(std::size_t threads) {
-  for (std::size_t i = 1; i < threads; ++i) threads_.emplace_back([this] { work(); });
+  try {
+    for (std::size_t i = 1; i < threads; ++i) threads_.emplace_back([this] { work(); });
+  } catch (...) {
+    close();
+    throw;
+  }
 }
 
-WorkerPool::~WorkerPool() {
+WorkerPool::~WorkerPool() { close(); }
+
+void WorkerPool::close() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     closing_ = true;
@@ -47,7 +58,7 @@ WorkerPool::~WorkerPool() {
 }
 
 WorkerPool& WorkerPool::shared() {
-  static WorkerPool pool(std::max(1U, std::thread::hardware_concurrency()));
+  static WorkerPool pool(processorThreads());
   return pool;
 }
 

@@ -12,12 +12,16 @@
 
 namespace place_memory::support {
 
+/// As many as the processor runs at a time; at least 1.
+std::size_t processorThreads();
+
 /// Threads that wait for work: for some microseconds awake, since a search has one job soon after
 /// the other and waking a thread takes as long as a small one; then asleep. Any number of callers
 /// may share a pool.
 class WorkerPool {
  public:
-  /// `threads` work at a time, the caller among them; at least 1.
+  /// `threads` work at a time, the caller among them; at least 1. Throws std::system_error where
+  /// there can be no more threads.
   explicit WorkerPool(std::size_t threads);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
@@ -38,6 +42,7 @@ class WorkerPool {
   struct Job;
 
   void work();
+  void close();
   /// Does tasks of the job until none is left to begin; `poll` may be empty.
   static void takePart(Job& job, const std::function<void()>& poll);
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "config/load_parameters.h"
+#include "config/memory_options.h"
 #include "place_memory/core/place_memory.h"
 #include "support/progress_bar.h"
 #include "tools/bag_scanner.h"
@@ -58,23 +59,13 @@ std::vector<Event> loadEvents(const std::string& path, double heading_window) {
   return readEvents(file, path, heading_window);
 }
 
-core::PlaceMemoryOptions memoryOptions(const config::Parameters& parameters,
-                                       const std::string& store) {
-  core::PlaceMemoryOptions options;
-  options.store_path = store.empty() ? parameters.store : store;
-  options.cell_size = parameters.grid.cell_size;
-  options.recognizer = parameters.match.recognizer;
-  options.adaptation = parameters.places;
-  options.sonar = parameters.sonar;
-  return options;
-}
-
 void process(const Arguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
-  const config::Parameters parameters = config::loadParameters(arguments.params);
+  config::Parameters parameters = config::loadParameters(arguments.params);
+  if (!arguments.store.empty()) parameters.store = arguments.store;
   const std::vector<Event> events = loadEvents(arguments.events, parameters.match.heading_window);
   const BagScanner scanner(arguments.bag, parameters);
-  core::PlaceMemory memory(memoryOptions(parameters, arguments.store));
+  core::PlaceMemory memory(config::memoryOptions(parameters));
   std::ofstream table(arguments.out);
   writeHeader(table);
   table.flush();

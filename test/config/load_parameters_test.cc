@@ -61,6 +61,7 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_EQ(a.match.recognizer.method, b.match.recognizer.method);
   EXPECT_EQ(a.match.recognizer.position_window, b.match.recognizer.position_window);
   EXPECT_EQ(a.match.recognizer.confidence, b.match.recognizer.confidence);
+  EXPECT_EQ(a.match.recognizer.threads, b.match.recognizer.threads);
   EXPECT_EQ(a.match.recognizer.metric.weights, b.match.recognizer.metric.weights);
   EXPECT_NEAR(a.match.heading_window, b.match.heading_window, 1e-6);
   EXPECT_EQ(a.places.enabled, b.places.enabled);
@@ -195,6 +196,9 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"match: {position_window: 0}", "must be in (0, 100]"},
         Malformed{"match: {heading_window: 3.2}", "must be in [0, 3.14159]"},
         Malformed{"match: {confidence: 0.5}", "must be in (0.5, 1)"},
+        Malformed{"match: {threads: -1}", "must be in [0, 256]"},
+        Malformed{"match: {threads: 257}", "must be in [0, 256]"},
+        Malformed{"match: {threads: 1.5}", "must be a whole number"},
         Malformed{"places: {adapt: 1}", "must be true or false, not '1'"},
         Malformed{"places: {retention: 1}", "must be in [0, 1)"},
         Malformed{"places: {retention: -0.1}", "must be in [0, 1)"},
@@ -212,96 +216,14 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"sonar_topics: [sonar, sonar]", "a topic is given twice"},
         Malformed{"store: [a]", "must be a text, not a list"}));
 
+TEST(LoadParameters, ThreadsBoundThePoolOfMatching) {
+  EXPECT_EQ(parse("match: {threads: 256}").match.recognizer.threads, 256U);
+  EXPECT_EQ(parse("").match.recognizer.threads, 0U);
+}
+
 TEST(LoadParameters, WithoutOdometryPlacesHaveNoLocation) {
   EXPECT_TRUE(parse("odom_frame: odom").match.recognizer.located);
   EXPECT_FALSE(parse("odom_frame: ''").match.recognizer.located);
-}
-
-TEST(MatchPreset, PaperIsOnePointForEachPairOfTheSameClass) {
-  EXPECT_EQ(loadPreset("paper").metric.weights, core::kPaperWeights);
-}
-
-TEST(MatchPreset, BuiltInPresetsAreTheFiles) {
-  for (const std::string name : {"evidence", "paper"}) {
-    const MatchPreset file =
-        loadPreset(PLACE_MEMORY_SOURCE_DIR "/config/presets/" + name + ".yaml");
-    const MatchPreset built_in = loadPreset(name);
-    EXPECT_EQ(built_in.metric.weights, file.metric.weights) << name;
-    EXPECT_EQ(built_in.calibration.scale, file.calibration.scale) << name;
-    EXPECT_EQ(built_in.calibration.right, file.calibration.right) << name;
-    EXPECT_EQ(built_in.calibration.known, file.calibration.known) << name;
-    EXPECT_EQ(built_in.second_look.has_value(), file.second_look.has_value()) << name;
-  }
-}
-
-/// The shipped preset with one node set anew, or left out.
-struct PresetEdit {
-  std::vector<std::string> path;
-  const char* value;    ///< nullptr: left out
-  const char* problem;  ///< begins with what is complained of
-};
-
-void PrintTo(const PresetEdit& edit, std::ostream* out) { *out << edit.problem; }
-
-void apply(const PresetEdit& edit, YAML::Node node) {
-  for (std::size_t i = 0; i + 1 < edit.path.size(); ++i) node.reset(node[edit.path[i]]);
-  if (edit.value == nullptr) {
-    node.remove(edit.path.back());
-  } else {
-    node[edit.path.back()] = YAML::Load(edit.value);
-  }
-}
-
-class MalformedPreset : public testing::TestWithParam<PresetEdit> {};
-
-TEST_P(MalformedPreset, IsRefusedWithTheReason) {
-  const TemporaryFolder folder;
-  const YAML::Node preset = YAML::LoadFile(PLACE_MEMORY_SOURCE_DIR "/config/presets/evidence.yaml");
-  apply(GetParam(), preset);
-  writeFile(folder.file("preset"), YAML::Dump(preset));
-  std::vector<std::string> problems{"none"};
-  try {
-    loadPreset(folder.file("preset"));
-  } catch (const ParameterError& error) {
-    problems = error.problems();
-  }
-  EXPECT_EQ(problems.front().find(GetParam().problem), 0U) << problems.front();
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    MatchPreset, MalformedPreset,
-    testing::Values(PresetEdit{{"weights"}, nullptr, "weights"},
-                    PresetEdit{{"weights"}, "1", "weights"},
-                    PresetEdit{{"weights"}, "[[1, 0, 0], [0, 1, 0]]", "weights"},
-                    PresetEdit{{"weights"}, "[[1, 0], [0, 1], [0, 0]]", "weights"},
-                    PresetEdit{{"weights"}, "[[1, 0, x], [0, 1, 0], [0, 0, 1]]", "weights"},
-                    PresetEdit{{"weights"}, "[[1, 0, .nan], [0, 1, 0], [0, 0, 1]]", "weights"},
-                    PresetEdit{{"weights"}, "[[1, 0, 2000], [0, 1, 0], [0, 0, 1]]", "weights"},
-                    PresetEdit{{"shift_cost"}, "-1", "shift_cost"},
-                    PresetEdit{{"turn_cost"}, "many", "turn_cost"},
-                    PresetEdit{{"overlap_only"}, "1", "overlap_only"},
-                    PresetEdit{{"calibration"}, nullptr, "calibration/scale"},
-                    PresetEdit{{"calibration", "scale"}, nullptr, "calibration/scale"},
-                    PresetEdit{{"calibration", "scale"}, "0", "calibration/scale"},
-                    PresetEdit{{"calibration", "strangers"}, "1", "calibration/strangers"},
-                    PresetEdit{{"calibration", "right"}, "3", "calibration/right"},
-                    PresetEdit{{"calibration", "right", "bias"}, nullptr, "calibration/right/bias"},
-                    PresetEdit{{"calibration", "known", "lead"}, nullptr, "calibration/known/lead"},
-                    PresetEdit{{"calibration", "known", "bias"}, "2000", "calibration/known/bias"},
-                    PresetEdit{{"calibration", "sharpness"}, nullptr, "calibration/sharpness"},
-                    PresetEdit{{"second_look"}, "3", "second_look"},
-                    PresetEdit{{"second_look", "first"}, "-1", "second_look/first"},
-                    PresetEdit{{"second_look", "nearest"}, "1", "second_look/nearest"},
-                    PresetEdit{{"second_look", "inner"}, nullptr, "second_look/inner"},
-                    PresetEdit{{"second_look", "middle"}, "3", "second_look/middle"},
-                    PresetEdit{{"second_look", "turned"}, nullptr, "second_look/turned"}));
-
-TEST(MatchPreset, WhatIsNoTableIsRefused) {
-  const TemporaryFolder folder;
-  for (const char* text : {"", "[", "evidence"}) {
-    writeFile(folder.file("preset"), text);
-    EXPECT_THROW(loadPreset(folder.file("preset")), ParameterError) << text;
-  }
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ bool isAllowed(const std::string& header) {
   static const std::regex allowed(
       "(place_memory/)?core/[a-z0-9_/]+\\.h"  // itself
       "|support/[a-z0-9_]+\\.h"
-      "|[a-z_]+"                          // the standard library
+      "|[a-z_]+"  // the standard library
       "|Eigen/.+|boost/.+|sqlite3\\.h"
       "|immintrin\\.h|arm_neon\\.h");  // of the compiler
   return std::regex_match(header, allowed);

@@ -46,9 +46,9 @@ TEST(ReadEvents, AHeaderAloneIsNoEvents) { EXPECT_TRUE(parse(kHeader).empty()); 
 
 TEST(CsvField, ComesBackAsItWas) {
   for (const std::string text : {"", "plain", "a,b", "\"", "two\nlines", "caf\xc3\xa9"}) {
-    std::istringstream line(csvField(text) + ",end\n");
+    std::istringstream line(support::csvField(text) + ",end\n");
     int count = 0;
-    EXPECT_EQ(readRecord(line, count), (std::vector<std::string>{text, "end"}));
+    EXPECT_EQ(support::readRecord(line, count), (std::vector<std::string>{text, "end"}));
   }
 }
 

@@ -12,7 +12,7 @@ namespace place_memory::config {
 /// What was fitted together, and is chosen together by `match/preset`.
 struct MatchPreset {
   core::MatchMetric metric;
-  std::optional<core::SecondLook> second_look;
+  std::optional<core::RescoringWeights> rescoring;
   core::Calibration calibration;
 };
 

@@ -14,14 +14,6 @@ namespace place_memory::core {
 /// 128 random bits that no other place of any robot has, so that stores can be merged.
 using PlaceIdentity = std::array<std::uint8_t, 16>;
 
-/// Counts the stretches of time in which the robot knew how it had moved from one scan to the next.
-/// The places of one session lie in one frame. How the frames of two sessions lie to each other is
-/// not known until a place of the one is recognized during the other: they are joined then, and are
-/// one session from there on.
-using SessionId = std::int64_t;
-constexpr SessionId kNoSession = 0;
-constexpr SessionId kFirstSession = 1;
-
 /// A node of the topological/metric map (paper 3). Its evidence grid stays in the store.
 struct Place {
   PlaceId id = kNoPlace;

@@ -25,7 +25,7 @@ class PlaceBlock {
 
   /// Slots from size() on are unsensed.
   const PlaneBlock& planes() const { return planes_; }
-  /// The same planes in 16 x 16 cells, for a first look.
+  /// The same planes in 16 x 16 cells, for screening.
   const CoarsestBlock& coarsest() const { return coarsest_; }
 
   /// First slot whose id is not below `id`; size() where there is none.

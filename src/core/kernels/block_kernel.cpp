@@ -46,28 +46,16 @@ BlockBest scoreBlockPortable(const KernelInput& input, BlockScores* scores) {
 }
 #endif
 
-std::vector<NamedKernel> blockKernels() {
-  std::vector<NamedKernel> kernels{{"portable", scoreBlockPortable, true}};
+std::vector<KernelVariant<BlockKernel>> blockKernels() {
+  return {
+    {InstructionSet::kPortable, scoreBlockPortable},
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  const bool popcnt = __builtin_cpu_supports("popcnt") != 0;
-  const bool avx2 = __builtin_cpu_supports("avx2") != 0;
-  const bool avx512 = __builtin_cpu_supports("avx512vpopcntdq") != 0;
-  kernels.push_back({"popcnt", scoreBlockPopcnt, popcnt});
-  kernels.push_back({"avx2", scoreBlockAvx2, avx2});
-  kernels.push_back({"avx512vpopcntdq", scoreBlockAvx512, avx512});
+        {InstructionSet::kPopcnt, scoreBlockPopcnt}, {InstructionSet::kAvx2, scoreBlockAvx2},
+        {InstructionSet::kAvx512, scoreBlockAvx512},
 #elif defined(__aarch64__)
-  kernels.push_back({"neon", scoreBlockNeon, true});
+        {InstructionSet::kNeon, scoreBlockNeon},
 #endif
-  return kernels;
-}
-
-BlockKernel fastestBlockKernel() {
-  BlockKernel fastest = scoreBlockPortable;
-  for (const NamedKernel& named : blockKernels()) {
-    if (named.runs_here) fastest = named.kernel;
-  }
-  return fastest;
+  };
 }
 
 }  // namespace place_memory::core

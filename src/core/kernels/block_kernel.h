@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/kernels/cpu.h"
 #include "core/kernels/plane_block.h"
 
 namespace place_memory::core {
@@ -46,18 +47,8 @@ struct BlockBest {
 /// least one transform.
 using BlockKernel = BlockBest (*)(const KernelInput& input, BlockScores* scores);
 
-struct NamedKernel {
-  const char* instructions;
-  BlockKernel kernel;
-  bool runs_here;  ///< this processor has the instructions
-};
-
-/// Those compiled for this architecture, slowest first; the first one runs everywhere. All give the
-/// same integers.
-std::vector<NamedKernel> blockKernels();
-
-/// The last of blockKernels() that runs here.
-BlockKernel fastestBlockKernel();
+/// Those compiled for this architecture, slowest first.
+std::vector<KernelVariant<BlockKernel>> blockKernels();
 
 /// The best of what a kernel set, for kernels that do not find it on their way.
 [[gnu::always_inline]] inline BlockBest bestOf(const BlockScores* scores, std::size_t transforms) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/kernels/cpu.h"
+
 namespace place_memory::core {
 namespace {
 
@@ -128,15 +130,13 @@ void coarsenPortable(const CellPlanes& cells, const int* by, std::size_t count, 
 }
 #endif
 
-Coarsen fastestCoarsen() {
+std::vector<KernelVariant<Coarsen>> coarsenKernels() {
+  return {
+    {InstructionSet::kPortable, coarsenPortable},
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")) {
-    return coarsenAvx512;
-  }
-  if (__builtin_cpu_supports("avx2")) return coarsenAvx2;
+        {InstructionSet::kAvx2, coarsenAvx2}, {InstructionSet::kAvx512, coarsenAvx512},
 #endif
-  return coarsenPortable;
+  };
 }
 
 }  // namespace
@@ -149,8 +149,8 @@ void coarsenMost(const CellPlanes& cells, QueryRow* rows) {
 
 void coarsenShifted(const CellPlanes& cells, const std::vector<int>& by, QueryRow* rows,
                     CellTotals* inside) {
-  static const Coarsen fastest = fastestCoarsen();
-  fastest(cells, by.data(), by.size(), rows, inside);
+  static const Coarsen coarsen = chosenKernel(coarsenKernels());
+  coarsen(cells, by.data(), by.size(), rows, inside);
 }
 
 }  // namespace place_memory::core

@@ -39,31 +39,19 @@ PlaneCounts countPortable(const RowPairs& pairs) { return countBody(pairs); }
 
 #endif
 
-using Kernel = PlaneCounts (*)(const RowPairs&);
-
-Kernel fastestKernel() {
-  Kernel fastest = countPortable;
-  for (const NamedPairKernel& named : pairKernels()) {
-    if (named.runs_here) fastest = named.kernel;
-  }
-  return fastest;
-}
-
 }  // namespace
 
-std::vector<NamedPairKernel> pairKernels() {
-  std::vector<NamedPairKernel> kernels{{"portable", countPortable, true}};
+std::vector<KernelVariant<PairKernel>> pairKernels() {
+  return {
+    {InstructionSet::kPortable, countPortable},
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  kernels.push_back({"popcnt", countPopcnt, __builtin_cpu_supports("popcnt") != 0});
-  kernels.push_back(
-      {"avx512vpopcntdq", countPlanesAvx512, __builtin_cpu_supports("avx512vpopcntdq") != 0});
+        {InstructionSet::kPopcnt, countPopcnt}, {InstructionSet::kAvx512, countPlanesAvx512},
 #endif
-  return kernels;
+  };
 }
 
 PlaneCounts countPlanes(const RowPairs& pairs) {
-  static const Kernel kernel = fastestKernel();
+  static const PairKernel kernel = chosenKernel(pairKernels());
   return kernel(pairs);
 }
 

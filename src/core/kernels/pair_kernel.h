@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/kernels/cpu.h"
+
 namespace place_memory::core {
 
 /// Rows of the planes that two grids share, the recognition grid's before it is shifted.
@@ -27,14 +29,10 @@ struct PlaneCounts {
 /// The same counts on every machine; as fast as its vector unit allows.
 PlaneCounts countPlanes(const RowPairs& pairs);
 
-struct NamedPairKernel {
-  const char* instructions;
-  PlaneCounts (*kernel)(const RowPairs& pairs);
-  bool runs_here;  ///< this processor has the instructions
-};
+using PairKernel = PlaneCounts (*)(const RowPairs& pairs);
 
-/// Those compiled for this architecture, slowest first; the first one runs everywhere.
-std::vector<NamedPairKernel> pairKernels();
+/// Those compiled for this architecture, slowest first.
+std::vector<KernelVariant<PairKernel>> pairKernels();
 
 #if defined(__x86_64__)
 PlaneCounts countPlanesAvx512(const RowPairs& pairs);

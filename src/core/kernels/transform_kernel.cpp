@@ -22,22 +22,13 @@ void countEach(const CellPlanes& learned, const MovedPlanes* transforms, std::si
 
 }  // namespace
 
-std::vector<NamedTransformKernel> transformKernels() {
-  std::vector<NamedTransformKernel> kernels{{"one by one", countEach, true}};
+std::vector<KernelVariant<TransformKernel>> transformKernels() {
+  return {
+    {InstructionSet::kPortable, countEach},
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  kernels.push_back(
-      {"avx512vpopcntdq", countTransformsAvx512, __builtin_cpu_supports("avx512vpopcntdq") != 0});
+        {InstructionSet::kAvx512, countTransformsAvx512},
 #endif
-  return kernels;
-}
-
-TransformKernel fastestTransformKernel() {
-  TransformKernel fastest = countEach;
-  for (const NamedTransformKernel& named : transformKernels()) {
-    if (named.runs_here) fastest = named.kernel;
-  }
-  return fastest;
+  };
 }
 
 }  // namespace place_memory::core

@@ -6,11 +6,12 @@
 
 #include "core/grid/cell_planes.h"
 #include "core/grid/cell_shift.h"
+#include "core/kernels/cpu.h"
 #include "core/kernels/pair_kernel.h"
 
 namespace place_memory::core {
 
-/// A turned recognition grid, and how it is shifted: in [-63, 63] along both axes.
+/// A rotated recognition grid, and how it is shifted: in [-63, 63] along both axes.
 struct MovedPlanes {
   const CellPlanes* cells;
   CellShift shift;
@@ -20,17 +21,8 @@ struct MovedPlanes {
 using TransformKernel = void (*)(const CellPlanes& learned, const MovedPlanes* transforms,
                                  std::size_t size, PlaneCounts* counts);
 
-struct NamedTransformKernel {
-  const char* instructions;
-  TransformKernel kernel;
-  bool runs_here;  ///< this processor has the instructions
-};
-
-/// Those compiled for this architecture, slowest first; the first one runs everywhere.
-std::vector<NamedTransformKernel> transformKernels();
-
-/// The last of transformKernels() that runs here.
-TransformKernel fastestTransformKernel();
+/// Those compiled for this architecture, slowest first.
+std::vector<KernelVariant<TransformKernel>> transformKernels();
 
 #if defined(__x86_64__)
 void countTransformsAvx512(const CellPlanes& learned, const MovedPlanes* transforms,

@@ -8,7 +8,7 @@ namespace place_memory::core {
 /// A transform of the recognition grid on the search's lattice, and what it scores.
 struct Alignment {
   CellShift shift;
-  int turn = 0;  ///< heading step of the QueryPlanes
+  int rotation = 0;  ///< heading step of the QueryPlanes
   double score = 0.0;
 };
 

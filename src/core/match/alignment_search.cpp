@@ -10,11 +10,11 @@ namespace {
 
 Alignment exhaustive(const Climber& climber, const SearchWindow& window) {
   Alignment best = climber.evaluate({0, 0}, 0);
-  const int last_turn = window.circular ? window.turns - 1 : window.turns;
-  for (int turn = -window.turns; turn <= last_turn; ++turn) {
+  const int last_rotation = window.circular ? window.rotations - 1 : window.rotations;
+  for (int rotation = -window.rotations; rotation <= last_rotation; ++rotation) {
     for (int rows = -window.cells; rows <= window.cells; ++rows) {
       for (int columns = -window.cells; columns <= window.cells; ++columns) {
-        const Alignment found = climber.evaluate({columns, rows}, turn);
+        const Alignment found = climber.evaluate({columns, rows}, rotation);
         if (found.score > best.score) best = found;
       }
     }
@@ -25,7 +25,7 @@ Alignment exhaustive(const Climber& climber, const SearchWindow& window) {
 Alignment restarts(Climber& climber, const QueryPlanes& query, const CellPlanes& learned,
                    const LatticeMetric& metric, const SearchWindow& window) {
   support::WorkerPool alone(1);
-  const StartLattice lattice(query, FixedMetric(metric), window, kCloseLook, alone);
+  const SeedGrid grid(query, FixedMetric(metric), window, kSeeding, alone);
   std::array<QueryRow, kCoarsestRows> rows;
   coarsenMost(learned, rows.data());
   CoarsestBlock places{};
@@ -33,17 +33,17 @@ Alignment restarts(Climber& climber, const QueryPlanes& query, const CellPlanes&
     places[row].occupied[0] = rows[row].occupied;
     places[row].empty[0] = rows[row].empty;
   }
-  LookScores scores;
-  lattice.look(places, scores);
-  return settle(climber, climbFromStarts(climber, chooseStarts(climber, lattice, scores, 0)));
+  SeedScores scores;
+  grid.score(places, scores);
+  return refine(climber, climbFromSeeds(climber, chooseSeeds(climber, grid, scores, 0)));
 }
 
 }  // namespace
 
 double scoreAt(const QueryPlanes& query, const CellPlanes& learned, const LatticeMetric& metric,
-               CellShift shift, int turn) {
+               CellShift shift, int rotation) {
   const SearchWindow anywhere;
-  return Climber(query, learned, metric, anywhere).evaluate(shift, turn).score;
+  return Climber(query, learned, metric, anywhere).evaluate(shift, rotation).score;
 }
 
 Alignment findAlignment(const QueryPlanes& query, const CellPlanes& learned,

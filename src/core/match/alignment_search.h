@@ -4,13 +4,13 @@
 #include "core/match/alignment.h"
 #include "core/match/lattice.h"
 #include "core/match/query_planes.h"
-#include "place_memory/core/recognizer_options.h"
+#include "place_memory/core/search_method.h"
 
 namespace place_memory::core {
 
 /// What an alignment scores.
 double scoreAt(const QueryPlanes& query, const CellPlanes& learned, const LatticeMetric& metric,
-               CellShift shift, int turn);
+               CellShift shift, int rotation);
 
 /// The best alignment of the recognition grid with one learned grid that the method finds.
 Alignment findAlignment(const QueryPlanes& query, const CellPlanes& learned,

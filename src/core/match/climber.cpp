@@ -9,11 +9,11 @@ namespace {
 
 /// How far from a summit others are looked for.
 constexpr int kAsideCells = 1;
-constexpr int kAsideTurns = 5;
+constexpr int kAsideRotations = 5;
 
 std::size_t transformsOf(const SearchWindow& window) {
   const int side = 2 * window.cells + 1;
-  const int transforms = side * side * (2 * window.turns + 1);
+  const int transforms = side * side * (2 * window.rotations + 1);
   return static_cast<std::size_t>(transforms);
 }
 
@@ -36,14 +36,14 @@ Climber::Climber(const QueryPlanes& query, const CellPlanes& learned, const Latt
               points(n.empty, linear_.learned_empty);
 }
 
-Alignment Climber::evaluate(CellShift shift, int turn) const {
-  Alignment at{shift, turn};
+Alignment Climber::evaluate(CellShift shift, int rotation) const {
+  Alignment at{shift, rotation};
   evaluate(&at, 1);
   return at;
 }
 
 void Climber::evaluate(Alignment* begin, std::size_t size) const {
-  static const TransformKernel kernel = fastestTransformKernel();
+  static const TransformKernel kernel = chosenKernel(transformKernels());
   evaluations_ += size;
   std::array<MovedPlanes, kTogether> moved;
   std::array<PlaneCounts, kTogether> counts;
@@ -54,7 +54,8 @@ void Climber::evaluate(Alignment* begin, std::size_t size) const {
       for (std::size_t i = 0; i < together; ++i) some[i].score = overlapScore(some[i]);
       continue;
     }
-    for (std::size_t i = 0; i < together; ++i) moved[i] = {&query_.at(some[i].turn), some[i].shift};
+    for (std::size_t i = 0; i < together; ++i)
+      moved[i] = {&query_.at(some[i].rotation), some[i].shift};
     kernel(learned_, moved.data(), together, counts.data());
     for (std::size_t i = 0; i < together; ++i) some[i].score = score(counts[i]) - cost(some[i]);
   }
@@ -62,12 +63,12 @@ void Climber::evaluate(Alignment* begin, std::size_t size) const {
 
 double Climber::cost(const Alignment& at) const {
   const int cells = at.shift.columns * at.shift.columns + at.shift.rows * at.shift.rows;
-  return metric_.shift_cost * cells + metric_.turn_cost * at.turn * at.turn;
+  return metric_.shift_cost * cells + metric_.rotation_cost * at.rotation * at.rotation;
 }
 
 double Climber::overlapScore(const Alignment& at) const {
   const PairCounts pairs =
-      countOverlap(query_.at(at.turn), query_.reach(at.turn), at.shift, learned_);
+      countOverlap(query_.at(at.rotation), query_.reach(at.rotation), at.shift, learned_);
   return pairScore(pairs, metric_.weights) - cost(at);
 }
 
@@ -86,20 +87,20 @@ void Climber::begin() {
   proposed_.reserve(kTogether);
 }
 
-void Climber::climb(CellShift shift, int turn, int first_step) {
+void Climber::climb(CellShift shift, int rotation, int first_step) {
   begin();
-  if (isNew(shift, turn)) summits_.push_back(climbFrom(evaluate(shift, turn), first_step));
+  if (isNew(shift, rotation)) summits_.push_back(climbFrom(evaluate(shift, rotation), first_step));
 }
 
-void Climber::settle(const Alignment& summit) {
+void Climber::refine(const Alignment& summit) {
   begin();
   Alignment at = summit;
   for (;;) {
     Alignment near = at;
-    for (int turn = -kAsideTurns; turn <= kAsideTurns; ++turn) {
+    for (int rotation = -kAsideRotations; rotation <= kAsideRotations; ++rotation) {
       for (int rows = -kAsideCells; rows <= kAsideCells; ++rows) {
         for (int columns = -kAsideCells; columns <= kAsideCells; ++columns) {
-          propose({at.shift.columns + columns, at.shift.rows + rows}, at.turn + turn);
+          propose({at.shift.columns + columns, at.shift.rows + rows}, at.rotation + rotation);
         }
       }
     }
@@ -129,22 +130,22 @@ Alignment Climber::climbFrom(Alignment from, int first_step) {
 bool Climber::stepUp(int step, Alignment& at) {
   const Alignment from = at;
   for (const int by : {-step, step}) {
-    propose({from.shift.columns + by, from.shift.rows}, from.turn);
-    propose({from.shift.columns, from.shift.rows + by}, from.turn);
-    propose(from.shift, from.turn + by);
+    propose({from.shift.columns + by, from.shift.rows}, from.rotation);
+    propose({from.shift.columns, from.shift.rows + by}, from.rotation);
+    propose(from.shift, from.rotation + by);
   }
   takeBest(at);
   return at.score > from.score;
 }
 
-void Climber::propose(CellShift shift, int turn) {
+void Climber::propose(CellShift shift, int rotation) {
   if (std::abs(shift.columns) > window_.cells || std::abs(shift.rows) > window_.cells) return;
-  turn = window_.wrapped(turn);
-  if (std::abs(turn) > window_.turns || !isNew(shift, turn)) return;
+  rotation = window_.wrapped(rotation);
+  if (std::abs(rotation) > window_.rotations || !isNew(shift, rotation)) return;
   // Set where it lies: a copy would wait until its parts are written.
   Alignment& proposed = proposed_.emplace_back();
   proposed.shift = shift;
-  proposed.turn = turn;
+  proposed.rotation = rotation;
 }
 
 void Climber::takeBest(Alignment& at) {
@@ -155,9 +156,9 @@ void Climber::takeBest(Alignment& at) {
   proposed_.clear();
 }
 
-bool Climber::isNew(CellShift shift, int turn) {
+bool Climber::isNew(CellShift shift, int rotation) {
   const int side = 2 * window_.cells + 1;
-  const int index = ((turn + window_.turns) * side + shift.rows + window_.cells) * side +
+  const int index = ((rotation + window_.rotations) * side + shift.rows + window_.cells) * side +
                     shift.columns + window_.cells;
   auto tried = tried_[static_cast<std::size_t>(index)];
   if (tried) return false;

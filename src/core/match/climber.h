@@ -16,22 +16,22 @@ class Climber {
   Climber(const QueryPlanes& query, const CellPlanes& learned, const LatticeMetric& metric,
           const SearchWindow& window);
 
-  Alignment evaluate(CellShift shift, int turn) const;
+  Alignment evaluate(CellShift shift, int rotation) const;
   /// Sets what each of them scores; many at once are faster than one by one.
   void evaluate(Alignment* begin, std::size_t size) const;
 
   /// How many transforms have been evaluated.
   std::size_t evaluations() const { return evaluations_; }
 
-  /// Climbs from a transform of the window: moves by `first_step` cells or turns while that scores
-  /// higher, then by half of it, and so on to single ones (paper 4). Where another climb has been
-  /// is not climbed again.
-  void climb(CellShift shift, int turn, int first_step);
+  /// Steepest-ascent hill climbing (paper 4) from a transform of the window: moves by `first_step`
+  /// cells or heading steps while that scores higher, then by half of it, and so on to single ones.
+  /// Where another climb has been is not climbed again.
+  void climb(CellShift shift, int rotation, int first_step);
 
-  /// Tries all alignments near a summit, and climbs on from better ones. A turn about the grid's
-  /// centre moves what the robot saw to one side, so ridges run aslant and summits lie close
+  /// Tries all alignments near a summit, and climbs on from better ones. A rotation about the
+  /// grid's centre moves what the robot saw to one side, so ridges run aslant and summits lie close
   /// together along them.
-  void settle(const Alignment& summit);
+  void refine(const Alignment& summit);
 
   /// What climbs have reached, best first.
   std::vector<Alignment> summits() const;
@@ -44,12 +44,12 @@ class Climber {
   Alignment climbFrom(Alignment from, int first_step);
   bool stepUp(int step, Alignment& at);
   /// Keeps it to be tried where it lies in the window and has not been tried before.
-  void propose(CellShift shift, int turn);
+  void propose(CellShift shift, int rotation);
   /// Evaluates what was proposed; takes the best of them where it scores higher, of equal ones the
   /// first.
   void takeBest(Alignment& at);
   /// Whether it has not been tried before.
-  bool isNew(CellShift shift, int turn);
+  bool isNew(CellShift shift, int rotation);
 
   const QueryPlanes& query_;
   const CellPlanes& learned_;

@@ -30,10 +30,10 @@ class FixedMetric {
   static constexpr double kMostShare = 32.0;
 
   /// `inside`: cells of the recognition grid that lie on the learned grid after the shift.
-  std::int64_t ofTransform(const CellTotals& inside, CellShift shift, int turn) const {
+  std::int64_t ofTransform(const CellTotals& inside, CellShift shift, int rotation) const {
     const int cells = shift.columns * shift.columns + shift.rows * shift.rows;
     return fixed(inside.occupied * linear_.occupied + inside.empty * linear_.empty -
-                 metric_.shift_cost * cells - metric_.turn_cost * turn * turn);
+                 metric_.shift_cost * cells - metric_.rotation_cost * rotation * rotation);
   }
   std::int64_t ofPlace(const CellTotals& learned) const;
 

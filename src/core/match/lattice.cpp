@@ -13,9 +13,9 @@ SearchWindow searchWindow(double position_window, double heading_window, double 
   SearchWindow window;
   const double cells = std::ceil(position_window / cell_size - kSlack);
   window.cells = static_cast<int>(std::min(cells, kGridSize - 1.0));
-  window.turns = static_cast<int>(std::ceil(heading_window / kHeadingStep - kSlack));
-  window.circular = window.turns >= kHalfCircle;
-  if (window.circular) window.turns = kHalfCircle;
+  window.rotations = static_cast<int>(std::ceil(heading_window / kHeadingStep - kSlack));
+  window.circular = window.rotations >= kHalfCircle;
+  if (window.circular) window.rotations = kHalfCircle;
   return window;
 }
 
@@ -24,8 +24,8 @@ LatticeMetric onLattice(const MatchMetric& metric, const SearchWindow& window, d
   lattice.weights = metric.weights;
   lattice.overlap_only = metric.overlap_only;
   lattice.shift_cost = metric.shift_cost * cell_size * cell_size;
-  if (!window.circular && window.turns > 0) {
-    lattice.turn_cost = metric.turn_cost / (window.turns * window.turns);
+  if (!window.circular && window.rotations > 0) {
+    lattice.rotation_cost = metric.rotation_cost / (window.rotations * window.rotations);
   }
   return lattice;
 }

@@ -1,7 +1,7 @@
 #ifndef PLACE_MEMORY_CORE_MATCH_LINEAR_METRIC_H
 #define PLACE_MEMORY_CORE_MATCH_LINEAR_METRIC_H
 
-#include "core/match/pair_metric.h"
+#include "core/match/pair_counts.h"
 
 namespace place_memory::core {
 

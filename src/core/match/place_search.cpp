@@ -8,9 +8,10 @@
 namespace place_memory::core {
 namespace {
 
-/// So few places are not worth waking other threads for; for restarts, so few places times turns.
+/// So few places are not worth waking other threads for; for restarts, so few places times
+/// rotations.
 constexpr std::size_t kFew = 32;
-constexpr std::size_t kFewTurns = 2000;
+constexpr std::size_t kFewRotations = 2000;
 
 std::vector<PlaceAlignment> alignEach(const QueryPlanes& query, const PlaceIndex& places,
                                       const LatticeMetric& metric, const SearchWindow& window,
@@ -51,8 +52,8 @@ std::vector<PlaceAlignment> searchPlaces(const QueryPlanes& query, const PlaceIn
   };
   support::WorkerPool alone(1);
   if (method == SearchMethod::kRestarts) {
-    const auto turns = static_cast<std::size_t>(2 * window.turns + 1);
-    const bool shares = places.size() * turns > kFewTurns;
+    const auto rotations = static_cast<std::size_t>(2 * window.rotations + 1);
+    const bool shares = places.size() * rotations > kFewRotations;
     const RestartSearch search(query, places, metric, window, poll, shares ? pool : alone);
     std::vector<PlaceAlignment> found = search.run();
     if (effort) effort->evaluations = search.evaluations();

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/kernels/pair_kernel.h"
-#include "core/kernels/turn_table.h"
+#include "core/kernels/rotation_table.h"
 #include "core/match/lattice.h"
 
 namespace place_memory::core {
@@ -19,8 +19,8 @@ EvidenceGrid occupiedThroughout() {
 
 }  // namespace
 
-CellPlanes turned(const CellPlanes& grid, double angle) {
-  return TurnTable(angle).turn(CellBytes(grid));
+CellPlanes rotated(const CellPlanes& grid, double angle) {
+  return RotationTable(angle).rotate(CellBytes(grid));
 }
 
 PairCounts countPairs(const CellPlanes& recognition, CellShift shift, const CellPlanes& learned) {
@@ -57,24 +57,24 @@ PairCounts countOverlap(const CellPlanes& recognition, const BitPlane& reach, Ce
   return counts;
 }
 
-QueryPlanes::QueryPlanes(const EvidenceGrid& grid, double heading_step, int turns)
-    : heading_step_(heading_step), turns_(turns) {
-  if (heading_step == kHeadingStep && turns <= kHalfCircle) {
-    planes_ = turnedBySteps(grid, turns);
+QueryPlanes::QueryPlanes(const EvidenceGrid& grid, double heading_step, int rotations)
+    : heading_step_(heading_step), rotations_(rotations) {
+  if (heading_step == kHeadingStep && rotations <= kHalfCircle) {
+    planes_ = rotatedBySteps(grid, rotations);
     return;
   }
   const CellBytes cells(grid);
-  for (int turn = -turns; turn <= turns; ++turn) {
-    planes_.push_back(TurnTable(turn * heading_step).turn(cells));
+  for (int rotation = -rotations; rotation <= rotations; ++rotation) {
+    planes_.push_back(RotationTable(rotation * heading_step).rotate(cells));
   }
 }
 
-BitPlane QueryPlanes::reach(int turn) const {
-  if (heading_step_ != kHeadingStep || turns_ > kHalfCircle) {
-    return turned(CellPlanes(occupiedThroughout()), turn * heading_step_).occupied;
+BitPlane QueryPlanes::reach(int rotation) const {
+  if (heading_step_ != kHeadingStep || rotations_ > kHalfCircle) {
+    return rotated(CellPlanes(occupiedThroughout()), rotation * heading_step_).occupied;
   }
-  static const std::vector<CellPlanes> kBySteps = turnedBySteps(occupiedThroughout(), kHalfCircle);
-  const int index = turn + kHalfCircle;
+  static const std::vector<CellPlanes> kBySteps = rotatedBySteps(occupiedThroughout(), kHalfCircle);
+  const int index = rotation + kHalfCircle;
   return kBySteps[static_cast<std::size_t>(index)].occupied;
 }
 

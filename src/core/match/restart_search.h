@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "core/match/fixed_metric.h"
-#include "core/match/place_looks.h"
+#include "core/match/place_screening.h"
 #include "core/match/place_search.h"
 #include "core/match/restarts.h"
-#include "core/match/start_lattice.h"
+#include "core/match/seed_grid.h"
 #include "support/worker_pool.h"
 
 namespace place_memory::core {
 
-/// searchPlaces() by restarts: hill climbing for the places that may be the best ones. The first
-/// look leaves out most of many places, the best starts of a close look most of the rest.
+/// searchPlaces() by restarts: hill climbing for the places that may be the best ones. Screening
+/// leaves out most of many places, what they score at their best seeds most of the rest.
 class RestartSearch {
  public:
   /// Keeps references to all of these. `poll` may throw.
@@ -33,9 +33,9 @@ class RestartSearch {
   struct Ranked {
     PlaceSlot place;
     Alignment alignment;
-    Starts starts;
+    Seeds seeds;
     std::vector<Alignment> summits;  ///< once climbed for; best first
-    bool settled = false;
+    bool refined = false;
   };
 
   static bool isBetter(const Ranked* a, const Ranked* b);
@@ -46,17 +46,18 @@ class RestartSearch {
   std::size_t grown(double of_few, double growth) const;
   /// How many places are climbed for at the least.
   std::size_t climbed() const;
-  /// The best places, each at its best start.
+  /// The best places, each at its best seed.
   std::vector<Ranked> rank() const;
-  void countLook(const StartLattice& lattice, std::size_t places) const;
+  void countScreening(const SeedGrid& grid, std::size_t places) const;
   void countEvaluations(const Climber& climber) const;
-  void lookClosely(const std::vector<Glimpse>& seen, std::vector<Ranked>& ranked) const;
-  /// At the best starts that the first look showed; behind those that are ranked.
-  void rankOthers(const StartLattice& lattice, const std::vector<Glimpse>& seen,
+  /// Ranks the places by the best of their seeds.
+  void seedPlaces(const std::vector<ScreenedPlace>& screened, std::vector<Ranked>& ranked) const;
+  /// At the best seeds that screening found; behind those that are ranked.
+  void rankOthers(const SeedGrid& grid, const std::vector<ScreenedPlace>& screened,
                   std::vector<Ranked>& ranked) const;
   void climb(const std::vector<Ranked*>& places) const;
-  void settleSummits(const std::vector<Ranked*>& places) const;
-  /// Sorts; climbs until the first are all climbed for and the very first are settled.
+  void refineSummits(const std::vector<Ranked*>& places) const;
+  /// Sorts; climbs until the first are all climbed for and the very first are refined.
   void finish(std::vector<Ranked*>& ranked) const;
 
   const QueryPlanes& query_;
@@ -65,8 +66,8 @@ class RestartSearch {
   const std::function<void()>& poll_;
   support::WorkerPool& pool_;
   FixedMetric fixed_;
-  StartLattice lattice_;  ///< of the close look
-  PlaceLooks looks_;
+  SeedGrid seed_grid_;  ///< of seeding
+  PlaceScreening screening_;
   std::size_t size_;
   mutable std::atomic<std::uint64_t> rows_{0};  ///< of grids that were compared
 };

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/match/climber.h"
-#include "core/match/start_lattice.h"
+#include "core/match/seed_grid.h"
 
 namespace place_memory::core {
 
@@ -14,31 +14,32 @@ namespace place_memory::core {
 void climbOnce(Climber& climber);
 
 /// Where one place is climbed for from, best first.
-class Starts {
+class Seeds {
  public:
   static constexpr std::size_t kMost = 3;  ///< measured: more find no better alignments
 
-  void add(const Alignment& start) { starts_[size_++] = start; }
-  const Alignment& front() const { return starts_.front(); }
-  const Alignment* begin() const { return starts_.data(); }
-  const Alignment* end() const { return starts_.data() + size_; }
+  void add(const Alignment& seed) { seeds_[size_++] = seed; }
+  const Alignment& front() const { return seeds_.front(); }
+  const Alignment* begin() const { return seeds_.data(); }
+  const Alignment* end() const { return seeds_.data() + size_; }
 
  private:
-  std::array<Alignment, kMost> starts_;
+  std::array<Alignment, kMost> seeds_;
   std::size_t size_ = 0;
 };
 
-/// Chooses starts by what they score in truth, of those that scored most in a look at the place; at
-/// least one.
-Starts chooseStarts(const Climber& climber, const StartLattice& lattice, const LookScores& scores,
-                    std::size_t place);
+/// Chooses seeds by what they score cell by cell, of those that scored most over coarse cells; at
+/// least one. `place` is a slot of the scored block.
+Seeds chooseSeeds(const Climber& climber, const SeedGrid& grid, const SeedScores& scores,
+                  std::size_t place);
 
-/// Hill climbing with restarts: from the expected pose and from the starts (paper 4, last lines).
+/// Random-restart hill climbing (Russell and Norvig, Artificial Intelligence), with seeds in place
+/// of random starts: climbs from the expected pose and from the seeds (paper 4, last lines).
 /// Returns the summits, best first.
-std::vector<Alignment> climbFromStarts(Climber& climber, const Starts& starts);
+std::vector<Alignment> climbFromSeeds(Climber& climber, const Seeds& seeds);
 
 /// The best alignment near these summits, best first.
-Alignment settle(Climber& climber, const std::vector<Alignment>& summits);
+Alignment refine(Climber& climber, const std::vector<Alignment>& summits);
 
 }  // namespace place_memory::core
 

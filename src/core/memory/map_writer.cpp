@@ -62,13 +62,13 @@ void MapWriter::keep(const MapChange& change) {
   try {
     store_.commit(change);
   } catch (const StoreError& error) {
-    fail(error);
+    report(error.what());
+    refuse(error);
   }
   report("");
 }
 
-void MapWriter::fail(const StoreError& error) {
-  report(error.what());
+void MapWriter::refuse(const StoreError& error) {
   throw PlaceMemoryError(PlaceMemoryError::Reason::kStoreFailed, error.what());
 }
 

@@ -41,7 +41,7 @@ class MapWriter {
     try {
       return query(store_);
     } catch (const StoreError& error) {
-      fail(error);
+      refuse(error);
     }
   }
 
@@ -58,7 +58,7 @@ class MapWriter {
  private:
   void keep(const MapChange& change);
   void apply(const MapChange& change, const std::function<void()>& settle);
-  [[noreturn]] void fail(const StoreError& error);
+  [[noreturn]] void refuse(const StoreError& error);
   void report(const std::string& problem);
 
   PlaceStore store_;

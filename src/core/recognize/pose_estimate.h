@@ -23,6 +23,19 @@ PoseEstimate estimatePose(const QueryPlanes& query, const CellPlanes& learned,
                           const LatticeMetric& metric, const SearchWindow& window,
                           const Alignment& best, double cell_size, double sharpness);
 
+/// Where the robot stands, and how sure that is: row-major over x [m], y [m], yaw [rad] in the map.
+struct RobotPose {
+  Pose2d map_from_robot;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+};
+
+/// Compounds the estimate with where the place lies and with where the robot's base stood in the
+/// scan, both taken as certain (Smith, Self and Cheeseman, Estimating Uncertain Spatial
+/// Relationships in Robotics, 1990): by how much the heading is off moves a robot that stands away
+/// from the scan's origin.
+RobotPose robotPose(const Pose2d& map_from_place, const PoseEstimate& estimate,
+                    const Pose2d& robot_in_scan);
+
 }  // namespace place_memory::core
 
 #endif  // PLACE_MEMORY_CORE_RECOGNIZE_POSE_ESTIMATE_H

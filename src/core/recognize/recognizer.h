@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_CORE_RECOGNIZE_RECOGNIZER_H
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "core/index/place_index.h"
@@ -10,11 +11,18 @@
 #include "place_memory/core/recognizer_options.h"
 #include "place_memory/core/scan.h"
 
+namespace place_memory::support {
+class WorkerPool;
+}
+
 namespace place_memory::core {
 
+/// Appearance-based place recognition by evidence grids (Yamauchi and Langley, Place Recognition in
+/// Dynamic Environments, 1997: the paper).
 class Recognizer {
  public:
-  /// Throws std::invalid_argument naming the option that is out of range.
+  /// Throws std::invalid_argument naming the option that is out of range, or with a sentence on the
+  /// environment variable PLACE_MEMORY_ISA where it cannot be followed.
   explicit Recognizer(const RecognizerOptions& options);
 
   /// Ranks every place of the index. A scan that sensed nothing is UNKNOWN, and no place probable,
@@ -31,6 +39,7 @@ class Recognizer {
 
  private:
   RecognizerOptions options_;
+  std::shared_ptr<support::WorkerPool> pool_;
 };
 
 }  // namespace place_memory::core

@@ -8,9 +8,9 @@
 namespace place_memory::core {
 namespace {
 
-double probabilityOf(const Support& coefficients, const Support& support) {
+double probabilityOf(const CalibrationFeatures& coefficients, const CalibrationFeatures& features) {
   const double log_odds =
-      std::inner_product(support.begin(), support.end(), coefficients.begin(), 0.0);
+      std::inner_product(features.begin(), features.end(), coefficients.begin(), 0.0);
   return 1.0 / (1.0 + std::exp(-log_odds));
 }
 
@@ -31,8 +31,9 @@ void shareAmongOthers(double rest, double scale, std::vector<PlaceMatch>& matche
 
 }  // namespace
 
-Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCounts& own,
-                  const Consensus& consensus, std::size_t places, double scale) {
+CalibrationFeatures calibrationFeatures(const PairCounts& at, const RescoringCounts& near,
+                                        const PairCounts& own, const HypothesisCluster& cluster,
+                                        std::size_t places, double scale) {
   constexpr auto kEmpty = static_cast<std::size_t>(CellClass::kEmpty);
   constexpr auto kOccupied = static_cast<std::size_t>(CellClass::kOccupied);
   const auto ratio = [](int cells, int of) {
@@ -45,25 +46,25 @@ Support supportOf(const PairCounts& at, const CloseCounts& closely, const PairCo
           share(at[kEmpty][kOccupied], kEmpty),
           share(at[kOccupied][kEmpty], kOccupied),
           share(at[kOccupied][kOccupied], kOccupied),
-          share(closely.of(NearCells::kOccupiedWithinOne), kOccupied),
-          share(closely.of(NearCells::kOccupiedWithinTwo), kOccupied),
-          share(closely.of(NearCells::kEmptyByOccupied), kEmpty),
+          share(near.of(NearPairs::kOccupiedWithinOne), kOccupied),
+          share(near.of(NearPairs::kOccupiedWithinTwo), kOccupied),
+          share(near.of(NearPairs::kEmptyByOccupied), kEmpty),
           ratio(at[kEmpty][kOccupied], learned(kOccupied)),
           ratio(at[kOccupied][kOccupied], learned(kOccupied)),
           ratio(at[kOccupied][kEmpty], learned(kEmpty)),
-          std::log1p(scale * std::max(consensus.lead, 0.0)),
-          scale * consensus.prominence,
-          scale * consensus.uncontested,
+          std::log1p(scale * std::max(cluster.margin, 0.0)),
+          scale * cluster.mean_margin,
+          scale * cluster.unopposed,
           1.0 / static_cast<double>(std::max<std::size_t>(places, 1))};
 }
 
-void judge(const Support& support, const Calibration& calibration, double confidence,
+void judge(const CalibrationFeatures& features, const Calibration& calibration, double confidence,
            Recognition& recognition) {
   std::vector<PlaceMatch>& matches = recognition.matches;
   recognition.verdict = Verdict::kUnknown;
   if (matches.empty()) return;
-  const double right = probabilityOf(calibration.right, support);
-  const double known = std::max(right, probabilityOf(calibration.known, support));
+  const double right = probabilityOf(calibration.right, features);
+  const double known = std::max(right, probabilityOf(calibration.known, features));
   matches.front().probability = right;
   if (matches.size() > 1) shareAmongOthers(known - right, calibration.scale, matches);
   if (right >= confidence) {

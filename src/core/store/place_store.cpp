@@ -152,7 +152,9 @@ class PlaceStore::Impl {
         std::make_unique<StoreReader>(database, cell_size_, head ? &head_ : nullptr, damages_);
     opened_ = reader_->readMap();
     ids_ = idsOf(opened_->places);
-    are_labels_known_ = false;
+    labels_.clear();
+    for (const Place& place : opened_->places) labels_.add(place.label);
+    are_labels_known_ = true;
     if (check_all || !head) {
       reader_->forEachPlanes(ids_, nullptr, [](PlaceId, const CellPlanes&) {});
       reader_->forEachGrid(ids_, [](PlaceId, const EvidenceGrid&) {});
@@ -183,10 +185,11 @@ class PlaceStore::Impl {
 
   // What could not be written when it was opened is opened anew, unless that is bound to fail too.
   void resume() {
+    if (is_changed_) throw StoreError(why_read_only_);
     const bool is_writable = database_ && !held_ && !database_->isReadOnly();
     if (is_writable) return;
     const std::string folder = std::filesystem::path(path_).parent_path().string();
-    if (is_changed_ || access(path_.c_str(), W_OK) != 0 || access(folder.c_str(), W_OK) != 0) {
+    if (access(path_.c_str(), W_OK) != 0 || access(folder.c_str(), W_OK) != 0) {
       throw StoreError(why_read_only_);
     }
     const StoreHead before = head_;
@@ -207,6 +210,7 @@ class PlaceStore::Impl {
     if (!why_read_only_.empty()) throw StoreError(why_read_only_);
   }
 
+  // After a change that failed half-way.
   void knowLabels() {
     if (are_labels_known_) return;
     labels_.clear();

@@ -163,6 +163,10 @@ std::string storePath(const std::string& path) {
     absolute = home + path.substr(1);
   }
   std::error_code error;
+  // A link whose file is still to be made, too.
+  for (int links = 0; links < 40 && fs::is_symlink(absolute, error); ++links) {
+    absolute = (fs::path(absolute).parent_path() / fs::read_symlink(absolute, error)).string();
+  }
   const fs::path canonical = fs::weakly_canonical(fs::absolute(absolute), error);
   return error ? fs::absolute(absolute).lexically_normal().string() : canonical.string();
 }

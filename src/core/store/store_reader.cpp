@@ -165,8 +165,8 @@ void StoreReader::forEachPlanes(const std::vector<PlaceId>& places, const StoreP
   TableFindings found;
   std::size_t next = 0;
   const auto give_next = [&](const std::optional<CellPlanes>& planes) {
-    give(places[next], planes, call);
-    if (progress && ++next % kPlacesBetweenReports == 0) {
+    give(places[next++], planes, call);
+    if (progress && next % kPlacesBetweenReports == 0) {
       progress("read " + std::to_string(next) + " places of the store");
     }
   };

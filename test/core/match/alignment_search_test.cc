@@ -37,23 +37,23 @@ Trial randomTrial(unsigned seed, double metres, double radians) {
 
 Alignment align(const Trial& trial, const SearchWindow& window, SearchMethod method,
                 const PairWeights& weights = kWeights) {
-  const QueryPlanes query(trial.recognition, kStep, window.turns);
+  const QueryPlanes query(trial.recognition, kStep, window.rotations);
   return findAlignment(query, trial.learned, {weights, 0.0, 0.0}, window, method);
 }
 
-double scoreAt(const QueryPlanes& query, const CellPlanes& learned, CellShift shift, int turn) {
-  return pairScore(countPairs(query.at(turn), shift, learned), kWeights);
+double scoreAt(const QueryPlanes& query, const CellPlanes& learned, CellShift shift, int rotation) {
+  return pairScore(countPairs(query.at(rotation), shift, learned), kWeights);
 }
 
 TEST(FindAlignment, OverlapAloneCountsWhereItIsAskedFor) {
   const Trial trial = randomTrial(5, 0.4, 0.2);
   const SearchWindow window{9, 15, false};
-  const QueryPlanes query(trial.recognition, kStep, window.turns);
+  const QueryPlanes query(trial.recognition, kStep, window.rotations);
   LatticeMetric metric{kPaperWeights, 0.0, 0.0, true};
   for (const SearchMethod method : kMethods) {
     const Alignment found = findAlignment(query, trial.learned, metric, window, method);
     EXPECT_DOUBLE_EQ(found.score,
-                     pairScore(countOverlap(query.at(found.turn), query.reach(found.turn),
+                     pairScore(countOverlap(query.at(found.rotation), query.reach(found.rotation),
                                             found.shift, trial.learned),
                                kPaperWeights));
   }
@@ -61,7 +61,7 @@ TEST(FindAlignment, OverlapAloneCountsWhereItIsAskedFor) {
 
 /// Within a cell and a step of the truth, which itself lies between the cells and steps.
 bool isRecovered(const Trial& trial, const Alignment& found) {
-  const double off = wrapAngle(found.turn * kStep - trial.truth.yaw);
+  const double off = wrapAngle(found.rotation * kStep - trial.truth.yaw);
   return std::abs(found.shift.columns - trial.truth.x / kDefaultCellSize) <= 1.5 &&
          std::abs(found.shift.rows - trial.truth.y / kDefaultCellSize) <= 1.5 &&
          std::abs(off) <= 1.5 * kStep;
@@ -95,7 +95,7 @@ TEST(AlignmentSearch, EveryMethodFindsTheGridOnItself) {
     const Alignment found = align(trial, {5, 4, false}, method);
     EXPECT_EQ(found.shift.columns, 0);
     EXPECT_EQ(found.shift.rows, 0);
-    EXPECT_EQ(found.turn, 0);
+    EXPECT_EQ(found.rotation, 0);
   }
 }
 
@@ -106,7 +106,7 @@ TEST(AlignmentSearch, NearestNeighbourStaysWhereItIs) {
     const Alignment found = align(trial, window, SearchMethod::kNearestNeighbour);
     EXPECT_EQ(found.shift.columns, 0);
     EXPECT_EQ(found.shift.rows, 0);
-    EXPECT_EQ(found.turn, 0);
+    EXPECT_EQ(found.rotation, 0);
     const QueryPlanes query(trial.recognition, kStep, 0);
     EXPECT_DOUBLE_EQ(found.score, scoreAt(query, trial.learned, {0, 0}, 0));
   }
@@ -138,14 +138,14 @@ TEST(AlignmentSearch, StaysInsideTheWindowAndTellsTheScoreOfWhatItFound) {
     const Trial trial = randomTrial(seed, 1.5, 0.6);
     const QueryPlanes every(trial.recognition, kStep, kHalfCircle);
     for (const SearchWindow& window : windows) {
-      const QueryPlanes query(trial.recognition, kStep, window.turns);
+      const QueryPlanes query(trial.recognition, kStep, window.rotations);
       for (const SearchMethod method : kMethods) {
         const Alignment found =
             findAlignment(query, trial.learned, {kWeights, 0.0, 0.0}, window, method);
         EXPECT_LE(std::abs(found.shift.columns), window.cells);
         EXPECT_LE(std::abs(found.shift.rows), window.cells);
-        ASSERT_LE(std::abs(found.turn), window.turns);
-        EXPECT_DOUBLE_EQ(found.score, scoreAt(every, trial.learned, found.shift, found.turn));
+        ASSERT_LE(std::abs(found.rotation), window.rotations);
+        EXPECT_DOUBLE_EQ(found.score, scoreAt(every, trial.learned, found.shift, found.rotation));
       }
     }
   }
@@ -183,12 +183,12 @@ TEST(AlignmentSearch, MoreSearchNeverScoresLess) {
 TEST(AlignmentSearch, ExhaustiveFindsTheBestOfAllTransforms) {
   const Trial trial = randomTrial(5, 0.5, 0.2);
   const SearchWindow window{4, 3, false};
-  const QueryPlanes query(trial.recognition, kStep, window.turns);
+  const QueryPlanes query(trial.recognition, kStep, window.rotations);
   double best = -1e300;
-  for (int turn = -window.turns; turn <= window.turns; ++turn) {
+  for (int rotation = -window.rotations; rotation <= window.rotations; ++rotation) {
     for (int rows = -window.cells; rows <= window.cells; ++rows) {
       for (int columns = -window.cells; columns <= window.cells; ++columns) {
-        best = std::max(best, scoreAt(query, trial.learned, {columns, rows}, turn));
+        best = std::max(best, scoreAt(query, trial.learned, {columns, rows}, rotation));
       }
     }
   }
@@ -204,7 +204,7 @@ TEST(AlignmentSearch, GivesTheSameAnswerEachTime) {
     const Alignment second = align(trial, {6, 10, false}, method);
     EXPECT_EQ(first.shift.columns, second.shift.columns);
     EXPECT_EQ(first.shift.rows, second.shift.rows);
-    EXPECT_EQ(first.turn, second.turn);
+    EXPECT_EQ(first.rotation, second.rotation);
     EXPECT_EQ(first.score, second.score);
   }
 }
@@ -215,7 +215,7 @@ TEST(AlignmentSearch, GridsThatSayNothingAlignSomewhereInTheWindow) {
     const Alignment found = align(nothing, {3, 2, false}, method);
     EXPECT_LE(std::abs(found.shift.columns), 3);
     EXPECT_LE(std::abs(found.shift.rows), 3);
-    EXPECT_LE(std::abs(found.turn), 2);
+    EXPECT_LE(std::abs(found.rotation), 2);
     EXPECT_DOUBLE_EQ(found.score, 0.0);
   }
 }

@@ -44,16 +44,16 @@ PlaceIndex spliced(std::size_t places) {
   return index;
 }
 
-EvidenceGrid scanIn(PlaceId id, std::mt19937& engine, double turn) {
+EvidenceGrid scanIn(PlaceId id, std::mt19937& engine, double rotation) {
   std::uniform_real_distribution<double> share(-1.0, 1.0);
-  const Pose2d pose{0.4 * share(engine), 0.4 * share(engine), turn * share(engine)};
+  const Pose2d pose{0.4 * share(engine), 0.4 * share(engine), rotation * share(engine)};
   return RandomRoom(static_cast<unsigned>(id)).scanFrom(pose).grid;
 }
 
 std::vector<PlaceAlignment> search(const EvidenceGrid& grid, const PlaceIndex& places,
                                    const SearchWindow& window, support::WorkerPool& pool,
                                    SearchMethod method = SearchMethod::kRestarts) {
-  const QueryPlanes query(grid, kHeadingStep, window.turns);
+  const QueryPlanes query(grid, kHeadingStep, window.rotations);
   return searchPlaces(query, places, kMetric, window, method, nullptr, pool);
 }
 
@@ -62,7 +62,7 @@ void expectSame(const std::vector<PlaceAlignment>& a, const std::vector<PlaceAli
   for (std::size_t i = 0; i < a.size(); ++i) {
     ASSERT_EQ(a[i].place, b[i].place) << i;
     ASSERT_EQ(a[i].alignment.score, b[i].alignment.score) << i;
-    ASSERT_EQ(a[i].alignment.turn, b[i].alignment.turn) << i;
+    ASSERT_EQ(a[i].alignment.rotation, b[i].alignment.rotation) << i;
     ASSERT_EQ(a[i].alignment.shift.columns, b[i].alignment.shift.columns) << i;
     ASSERT_EQ(a[i].alignment.shift.rows, b[i].alignment.shift.rows) << i;
   }
@@ -113,7 +113,7 @@ TEST(PlaceSearch, TakesPairsWhereGridsOverlapAlone) {
   support::WorkerPool pool(2);
   const PlaceIndex places = spliced(100);
   for (PlaceId id = 1; id <= 3; ++id) {
-    const QueryPlanes query(scanIn(id, engine, 0.25), kHeadingStep, kWindow.turns);
+    const QueryPlanes query(scanIn(id, engine, 0.25), kHeadingStep, kWindow.rotations);
     const auto found =
         searchPlaces(query, places, metric, kWindow, SearchMethod::kRestarts, nullptr, pool);
     const auto best =
@@ -145,7 +145,7 @@ TEST(PlaceSearch, TellsHowManyEvaluationsItTookWhateverTheThreads) {
   double of_few = 0.0;
   for (const std::size_t size : {std::size_t{30}, std::size_t{1300}}) {
     const PlaceIndex places = spliced(size);
-    const QueryPlanes query(scanIn(4, engine, 0.25), kHeadingStep, kWindow.turns);
+    const QueryPlanes query(scanIn(4, engine, 0.25), kHeadingStep, kWindow.rotations);
     std::vector<double> evaluations;
     for (const std::size_t threads : {std::size_t{1}, std::size_t{2}, std::size_t{5}}) {
       support::WorkerPool pool(threads);
@@ -192,16 +192,16 @@ TEST(PlaceSearch, TellsWhatEachAlignmentScores) {
   std::mt19937 engine(66);
   support::WorkerPool pool(2);
   const PlaceIndex places = spliced(300);
-  const QueryPlanes query(scanIn(5, engine, 0.25), kHeadingStep, kWindow.turns);
+  const QueryPlanes query(scanIn(5, engine, 0.25), kHeadingStep, kWindow.rotations);
   for (const PlaceAlignment& place :
        searchPlaces(query, places, kMetric, kWindow, SearchMethod::kRestarts, nullptr, pool)) {
     const Alignment& at = place.alignment;
     const CellPlanes cells = places.cells(place.place);
-    const PairCounts counts = countPairs(query.at(at.turn), at.shift, cells);
+    const PairCounts counts = countPairs(query.at(at.rotation), at.shift, cells);
     const int shift = at.shift.columns * at.shift.columns + at.shift.rows * at.shift.rows;
     EXPECT_NEAR(at.score,
                 pairScore(counts, kMetric.weights) - kMetric.shift_cost * shift -
-                    kMetric.turn_cost * at.turn * at.turn,
+                    kMetric.rotation_cost * at.rotation * at.rotation,
                 1e-9);
   }
 }
@@ -210,7 +210,7 @@ TEST(PlaceSearch, TheFirstPlacesStandOnSummits) {
   std::mt19937 engine(67);
   support::WorkerPool pool(2);
   const PlaceIndex places = spliced(600);
-  const QueryPlanes query(scanIn(6, engine, 0.25), kHeadingStep, kWindow.turns);
+  const QueryPlanes query(scanIn(6, engine, 0.25), kHeadingStep, kWindow.rotations);
   const auto found =
       searchPlaces(query, places, kMetric, kWindow, SearchMethod::kRestarts, nullptr, pool);
   for (std::size_t i = 0; i < kSurelyClimbed; ++i) {
@@ -220,13 +220,13 @@ TEST(PlaceSearch, TheFirstPlacesStandOnSummits) {
       const CellShift aside{at.shift.columns + by, at.shift.rows};
       const CellShift ahead{at.shift.columns, at.shift.rows + by};
       if (std::abs(aside.columns) <= kWindow.cells) {
-        EXPECT_LE(scoreAt(query, cells, kMetric, aside, at.turn), at.score) << i;
+        EXPECT_LE(scoreAt(query, cells, kMetric, aside, at.rotation), at.score) << i;
       }
       if (std::abs(ahead.rows) <= kWindow.cells) {
-        EXPECT_LE(scoreAt(query, cells, kMetric, ahead, at.turn), at.score) << i;
+        EXPECT_LE(scoreAt(query, cells, kMetric, ahead, at.rotation), at.score) << i;
       }
-      if (std::abs(at.turn + by) <= kWindow.turns) {
-        EXPECT_LE(scoreAt(query, cells, kMetric, at.shift, at.turn + by), at.score) << i;
+      if (std::abs(at.rotation + by) <= kWindow.rotations) {
+        EXPECT_LE(scoreAt(query, cells, kMetric, at.shift, at.rotation + by), at.score) << i;
       }
     }
   }
@@ -256,7 +256,7 @@ TEST(PlaceSearch, StopsWhereverItIsCancelled) {
   std::mt19937 engine(69);
   support::WorkerPool pool(1);  // other threads might leave the caller no task to poll after
   const PlaceIndex places = spliced(1300);
-  const QueryPlanes query(scanIn(6, engine, 0.25), kHeadingStep, kWindow.turns);
+  const QueryPlanes query(scanIn(6, engine, 0.25), kHeadingStep, kWindow.rotations);
   for (const int last : {1, 2, 4, 7}) {
     int polls = 0;
     const auto cancelled = [&] { return ++polls >= last; };

@@ -76,7 +76,7 @@ CellClass classOf(int evidence) {
 constexpr CellClass kClasses[] = {CellClass::kEmpty, CellClass::kUnsensed, CellClass::kOccupied};
 static_assert(kCellClasses == 3, "the oracle counts three classes");
 
-/// One pair after the other: each learned cell, and the cell of the turned grid that falls on it.
+/// One pair after the other: each learned cell, and the cell of the rotated grid that falls on it.
 PairCounts naiveCounts(const CellPlanes& recognition, CellShift shift,
                        const EvidenceGrid& learned) {
   PairCounts counts{};
@@ -117,19 +117,19 @@ TEST(CellPlanes, ClassesFollowTheSignOfTheEvidence) {
   }
 }
 
-TEST(Turned, NoTurnChangesNothing) {
+TEST(Turned, NoRotationChangesNothing) {
   for (const NamedGrid& named : grids()) {
     const CellPlanes planes(named.grid);
-    const CellPlanes cells = turned(planes, 0.0);
+    const CellPlanes cells = rotated(planes, 0.0);
     EXPECT_EQ(cells.occupied, planes.occupied) << named.name;
     EXPECT_EQ(cells.empty, planes.empty) << named.name;
   }
 }
 
-TEST(Turned, AQuarterTurnIsExactAndCounterClockwise) {
+TEST(Turned, AQuarterRotationIsExactAndCounterClockwise) {
   const NamedGrid named = randomGrid(7);
   const CellPlanes planes(named.grid);
-  const CellPlanes cells = turned(planes, 0.5 * kPi);
+  const CellPlanes cells = rotated(planes, 0.5 * kPi);
   for (int row = 0; row < kGridSize; ++row) {
     for (int column = 0; column < kGridSize; ++column) {
       // (x, y) goes to (-y, x): the column of a cell becomes its row.
@@ -144,7 +144,7 @@ TEST(Turned, TakeEachCellFromWhereItLayInMetres) {
     const CellPlanes planes(named.grid);
     for (int step = -13; step <= 13; ++step) {
       const double angle = 0.2417 * step;
-      const CellPlanes cells = turned(planes, angle);
+      const CellPlanes cells = rotated(planes, angle);
       for (int row = 0; row < kGridSize; ++row) {
         for (int column = 0; column < kGridSize; ++column) {
           const Pose2d at{geometry.centre(column), geometry.centre(row), 0.0};
@@ -169,7 +169,7 @@ TEST(CountPairs, EqualsTheCountCellByCell) {
   for (const NamedGrid& recognition : all) {
     const CellPlanes planes(recognition.grid);
     for (const double angle : {0.0, 0.1, -0.4, 0.25 * kPi, 0.5 * kPi, 2.0, -3.1, kPi}) {
-      const CellPlanes cells = turned(planes, angle);
+      const CellPlanes cells = rotated(planes, angle);
       for (const NamedGrid& learned : all) {
         const CellPlanes learned_planes(learned.grid);
         first = (first + 1) % 3;
@@ -187,7 +187,7 @@ TEST(CountPairs, EqualsTheCountCellByCell) {
 TEST(CountPairs, EveryShiftOfRandomGrids) {
   const NamedGrid learned = randomGrid(9);
   const CellPlanes learned_planes(learned.grid);
-  const CellPlanes cells = turned(CellPlanes(randomGrid(8).grid), 0.3);
+  const CellPlanes cells = rotated(CellPlanes(randomGrid(8).grid), 0.3);
   for (int rows = -63; rows <= 63; rows += 6) {
     for (int columns = -63; columns <= 63; ++columns) {
       const CellShift shift{columns, rows};
@@ -218,8 +218,8 @@ TEST(CountOverlap, EqualsTheCountCellByCellWhereTheGridsOverlap) {
   const NamedGrid recognition = randomGrid(8), learned = randomGrid(9);
   const QueryPlanes query(recognition.grid, 0.1, 9);
   const CellPlanes learned_planes(learned.grid);
-  for (const int turn : {-9, -4, 0, 1, 7}) {
-    const BitPlane reach = query.reach(turn);
+  for (const int rotation : {-9, -4, 0, 1, 7}) {
+    const BitPlane reach = query.reach(rotation);
     for (const CellShift shift : sampledShifts()) {
       PairCounts expected{};
       for (int row = 0; row < kGridSize; ++row) {
@@ -228,13 +228,13 @@ TEST(CountOverlap, EqualsTheCountCellByCellWhereTheGridsOverlap) {
           if (to_row < 0 || to_row >= kGridSize || to_column < 0 || to_column >= kGridSize)
             continue;
           if (!bit(reach, row, column)) continue;
-          const auto r = static_cast<std::size_t>(classOf(query.at(turn), row, column));
+          const auto r = static_cast<std::size_t>(classOf(query.at(rotation), row, column));
           const auto l = static_cast<std::size_t>(classOf(learned.grid.at(to_row, to_column)));
           ++expected[r][l];
         }
       }
-      ASSERT_EQ(countOverlap(query.at(turn), reach, shift, learned_planes), expected)
-          << turn << " turns, " << shift.columns << " columns, " << shift.rows << " rows";
+      ASSERT_EQ(countOverlap(query.at(rotation), reach, shift, learned_planes), expected)
+          << rotation << " rotations, " << shift.columns << " columns, " << shift.rows << " rows";
     }
   }
 }
@@ -243,16 +243,16 @@ TEST(QueryPlanes, ReachIsWhereTheTurnedGridLies) {
   for (const double step : {3.0 * kPi / 180.0, 0.1}) {
     const QueryPlanes query(randomGrid(6).grid, step, 5);
     const GridGeometry geometry{1.0};
-    for (const int turn : {-5, 0, 2}) {
-      const BitPlane reach = query.reach(turn);
+    for (const int rotation : {-5, 0, 2}) {
+      const BitPlane reach = query.reach(rotation);
       for (int row = 0; row < kGridSize; ++row) {
         for (int column = 0; column < kGridSize; ++column) {
           const Pose2d at{geometry.centre(column), geometry.centre(row), 0.0};
-          const Pose2d was = Pose2d{0.0, 0.0, turn * step}.inverse() * at;
+          const Pose2d was = Pose2d{0.0, 0.0, rotation * step}.inverse() * at;
           const int from_row = geometry.index(was.y), from_column = geometry.index(was.x);
           const bool inside =
               from_row >= 0 && from_row < kGridSize && from_column >= 0 && from_column < kGridSize;
-          ASSERT_EQ(bit(reach, row, column), inside) << turn << ", " << row << ", " << column;
+          ASSERT_EQ(bit(reach, row, column), inside) << rotation << ", " << row << ", " << column;
         }
       }
     }
@@ -272,32 +272,32 @@ TEST(PairScore, EachCountHasItsOwnWeight) {
 TEST(QueryPlanes, HoldTheGridAtEveryHeading) {
   const NamedGrid named = randomGrid(6);
   const QueryPlanes query(named.grid, 0.1, 7);
-  EXPECT_EQ(query.turns(), 7);
+  EXPECT_EQ(query.rotations(), 7);
   EXPECT_DOUBLE_EQ(query.headingStep(), 0.1);
-  for (int turn = -7; turn <= 7; ++turn) {
-    const CellPlanes expected = turned(CellPlanes(named.grid), turn * 0.1);
-    EXPECT_EQ(query.at(turn).occupied, expected.occupied) << turn;
-    EXPECT_EQ(query.at(turn).empty, expected.empty) << turn;
+  for (int rotation = -7; rotation <= 7; ++rotation) {
+    const CellPlanes expected = rotated(CellPlanes(named.grid), rotation * 0.1);
+    EXPECT_EQ(query.at(rotation).occupied, expected.occupied) << rotation;
+    EXPECT_EQ(query.at(rotation).empty, expected.empty) << rotation;
   }
 }
 
 TEST(QueryPlanes, HoldTheGridAtEveryHeadingStepOfASearch) {
   for (const NamedGrid& named : {randomGrid(6), randomGrid(7), grids()[5], grids()[3]}) {
-    for (const int turns : {0, 1, 14, 15, 16, 29, 30, 31, 44, 45, kHalfCircle}) {
-      const QueryPlanes query(named.grid, kHeadingStep, turns);
-      for (int turn = -turns; turn <= turns; ++turn) {
-        const CellPlanes expected = turned(CellPlanes(named.grid), turn * kHeadingStep);
-        ASSERT_EQ(query.at(turn).occupied, expected.occupied) << named.name << ", " << turn;
-        ASSERT_EQ(query.at(turn).empty, expected.empty) << named.name << ", " << turn;
+    for (const int rotations : {0, 1, 14, 15, 16, 29, 30, 31, 44, 45, kHalfCircle}) {
+      const QueryPlanes query(named.grid, kHeadingStep, rotations);
+      for (int rotation = -rotations; rotation <= rotations; ++rotation) {
+        const CellPlanes expected = rotated(CellPlanes(named.grid), rotation * kHeadingStep);
+        ASSERT_EQ(query.at(rotation).occupied, expected.occupied) << named.name << ", " << rotation;
+        ASSERT_EQ(query.at(rotation).empty, expected.empty) << named.name << ", " << rotation;
       }
     }
   }
 }
 
-TEST(QueryPlanes, NoTurnsHoldTheGridAsItIs) {
+TEST(QueryPlanes, NoRotationsHoldTheGridAsItIs) {
   const NamedGrid named = randomGrid(6);
   const QueryPlanes query(named.grid, 0.1, 0);
-  EXPECT_EQ(query.turns(), 0);
+  EXPECT_EQ(query.rotations(), 0);
   EXPECT_EQ(query.at(0).occupied, CellPlanes(named.grid).occupied);
 }
 

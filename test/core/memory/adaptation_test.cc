@@ -13,13 +13,15 @@ namespace {
 
 constexpr double kHeadingWindow = 0.3;
 
-/// Has the store fail whenever a row of the table is to be changed.
-void refuseChangesOf(const std::string& store, const std::string& table) {
+/// Has the store fail whenever a row of the table is to be written.
+void refuseRowsOf(const std::string& store, const std::string& table) {
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(store.c_str(), &database), SQLITE_OK);
-  const std::string trigger =
-      "CREATE TRIGGER full AFTER UPDATE ON " + table + " BEGIN SELECT RAISE(ABORT, 'full'); END";
-  ASSERT_EQ(sqlite3_exec(database, trigger.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+  for (const std::string event : {"UPDATE", "INSERT"}) {
+    const std::string trigger = "CREATE TRIGGER full_" + event + " AFTER " + event + " ON " +
+                                table + " BEGIN SELECT RAISE(ABORT, 'full'); END";
+    ASSERT_EQ(sqlite3_exec(database, trigger.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+  }
   sqlite3_close(database);
 }
 
@@ -208,7 +210,7 @@ TEST_F(AdaptationTest, PlacesComeAndGoWhileTheyAdapt) {
 
 TEST_F(AdaptationTest, WhatCannotBeStoredChangesNothingButTheAnswerStands) {
   PlaceMemory(options()).learn(look(before_), "a");
-  refuseChangesOf(store_, "grid");
+  refuseRowsOf(store_, "grid");
   PlaceMemory memory(options());
   const std::uint64_t version = memory.version();
   const PlaceMemory::Answer answer = memory.recognize(look(after_), kHeadingWindow);

@@ -62,6 +62,44 @@ TEST_F(PlaceMemoryTest, AnOddScanDoesNotMakeAPlace) {
   EXPECT_EQ(memory_.size(), 0U);
 }
 
+TEST_F(PlaceMemoryTest, RefusesAScanOfOtherCells) {
+  const Scan scan = makeRandomScan(1, 0.2);
+  expectRefused(Reason::kWrongCells, [&] { memory_.learn(scan, "a"); });
+  expectRefused(Reason::kWrongCells, [&] { memory_.recognize(scan, kHeadingWindow); });
+  EXPECT_EQ(memory_.size(), 0U);
+}
+
+TEST_F(PlaceMemoryTest, AScanBecomesAPlaceOnce) {
+  Scan numbered = makeRandomScan(1);
+  numbered.id = 7;
+  Scan stamped = makeRandomScan(2);
+  stamped.begin = std::chrono::seconds(5);
+  for (const Scan& scan : {numbered, stamped}) {
+    const Place place = memory_.learn(scan, "").place;
+    expectRefused(Reason::kAlreadyLearned, [&] { memory_.learn(scan, "again"); });
+    memory_.remove(place.label);
+    EXPECT_NO_THROW(memory_.learn(scan, ""));
+  }
+  EXPECT_EQ(memory_.size(), 2U);
+}
+
+TEST_F(PlaceMemoryTest, WhatIsAnotherScanIsAnotherPlace) {
+  Scan scan = makeRandomScan(1);
+  scan.id = 7;
+  memory_.learn(scan, "a");
+  scan.id = 8;
+  EXPECT_NO_THROW(memory_.learn(scan, "the same spot, scanned again"));
+  scan.odom_from_scan.x += 1.0;
+  EXPECT_NO_THROW(memory_.learn(scan, "elsewhere"));
+  scan.id = 0;
+  EXPECT_NO_THROW(memory_.learn(scan, "without an id"));
+  scan.end += std::chrono::seconds(1);
+  EXPECT_NO_THROW(memory_.learn(scan, "later"));
+  scan.end = std::chrono::seconds(0);
+  EXPECT_NO_THROW(memory_.learn(scan, "without anything to tell it by"));
+  EXPECT_NO_THROW(memory_.learn(scan, "nor this one"));
+}
+
 TEST_F(PlaceMemoryTest, MakesUpLabelsThatAreFree) {
   EXPECT_EQ(learn(1, "").label, "place 1");
   EXPECT_EQ(learn(2, "place 3").label, "place 3");

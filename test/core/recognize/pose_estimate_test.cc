@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <random>
 
 #include "core/random_room.h"
 
@@ -19,11 +21,11 @@ struct Found {
 Found find(const Scan& scan, const Scan& learned, double sharpness) {
   const double cell = scan.grid.geometry().cell_size;
   const SearchWindow window = searchWindow(1.0, 0.5, cell);
-  const QueryPlanes query(scan.grid, kHeadingStep, window.turns);
+  const QueryPlanes query(scan.grid, kHeadingStep, window.rotations);
   const CellPlanes planes(learned.grid);
   const Alignment best = findAlignment(query, planes, kMetric, window, SearchMethod::kExhaustive);
   return {estimatePose(query, planes, kMetric, window, best, cell, sharpness),
-          {best.shift.columns * cell, best.shift.rows * cell, best.turn * kHeadingStep}};
+          {best.shift.columns * cell, best.shift.rows * cell, best.rotation * kHeadingStep}};
 }
 
 TEST(EstimatePose, LiesBetweenTheLatticePointsNearerToTheTruth) {
@@ -71,6 +73,48 @@ TEST(EstimatePose, ACorridorIsUnsureAlongItself) {
   corridor.grid = grid;
   const Eigen::Matrix3d c = find(corridor, corridor, 0.05).estimate.covariance;
   EXPECT_GT(c(0, 0), 4.0 * c(1, 1));
+}
+
+/// Draws of the pose that the estimate stands for, put through the frames one by one.
+Eigen::Matrix3d drawnCovariance(const Pose2d& map_from_place, const PoseEstimate& estimate,
+                                const Pose2d& robot_in_scan) {
+  constexpr int kDraws = 200000;
+  const Eigen::Matrix3d root = estimate.covariance.llt().matrixL();
+  const Pose2d mean = map_from_place * estimate.place_from_scan * robot_in_scan;
+  std::mt19937 engine(5);
+  std::normal_distribution<double> normal;
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < kDraws; ++i) {
+    const Eigen::Vector3d draw(normal(engine), normal(engine), normal(engine));
+    const Eigen::Vector3d off = root * draw;
+    Pose2d place_from_scan = estimate.place_from_scan;
+    place_from_scan.x += off.x();
+    place_from_scan.y += off.y();
+    place_from_scan.yaw += off.z();
+    const Pose2d robot = map_from_place * place_from_scan * robot_in_scan;
+    const Eigen::Vector3d from_mean(robot.x - mean.x, robot.y - mean.y,
+                                    wrapAngle(robot.yaw - mean.yaw));
+    sum += from_mean * from_mean.transpose();
+  }
+  return sum / kDraws;
+}
+
+TEST(RobotPose, OfARobotAwayFromTheScansOriginIsAsUnsureAsDrawsOfItAre) {
+  PoseEstimate estimate;
+  estimate.place_from_scan = {0.4, -0.2, 0.3};
+  estimate.covariance << 4e-3, 1e-3, 2e-4, 1e-3, 2e-3, -3e-4, 2e-4, -3e-4, 1.6e-3;
+  const Pose2d map_from_place{12.0, -7.0, 2.1};
+  for (const Pose2d& robot_in_scan :
+       {Pose2d{}, Pose2d{2.0, 0.0, 0.4}, Pose2d{-1.5, 2.5, -2.0}, Pose2d{0.0, -3.0, kPi}}) {
+    const RobotPose robot = robotPose(map_from_place, estimate, robot_in_scan);
+    const Eigen::Matrix3d drawn = drawnCovariance(map_from_place, estimate, robot_in_scan);
+    EXPECT_LT((robot.covariance - drawn).norm(), 0.02 * drawn.norm()) << robot.covariance << "\n\n"
+                                                                      << drawn;
+    const Pose2d stands = map_from_place * estimate.place_from_scan * robot_in_scan;
+    EXPECT_EQ(robot.map_from_robot.x, stands.x);
+    EXPECT_EQ(robot.map_from_robot.y, stands.y);
+    EXPECT_EQ(robot.map_from_robot.yaw, stands.yaw);
+  }
 }
 
 }  // namespace

@@ -94,5 +94,13 @@ TEST(RecognizerInput, ABadOptionIsNamed) {
   }
 }
 
+TEST(RecognizerInput, TooManyThreadsAreRefused) {
+  RecognizerOptions options;
+  options.threads = kMostThreads + 1;
+  EXPECT_THROW(Recognizer{options}, std::invalid_argument);
+  options.threads = 1;
+  EXPECT_NO_THROW(Recognizer{options});
+}
+
 }  // namespace
 }  // namespace place_memory::core

@@ -18,34 +18,35 @@ Recognition withScores(const std::vector<double>& scores) {
 
 std::size_t named(const std::string& name) {
   std::size_t i = 0;
-  while (name != kSupportNames.at(i)) ++i;
+  while (name != kCalibrationFeatureNames.at(i)) ++i;
   return i;
 }
 
-/// How well the scan and its best match agree, with this lead.
-Support support(double agreement, double lead) {
-  Support support{};
-  support[named("bias")] = 1.0;
-  support[named("empty_on_empty")] = support[named("occupied_on_occupied")] = agreement;
-  support[named("occupied_on_empty")] = 1.0 - agreement;
-  support[named("lead")] = std::log1p(lead);
-  return support;
+/// How well the scan and its best match agree, with this margin.
+CalibrationFeatures features(double agreement, double margin) {
+  CalibrationFeatures features{};
+  features[named("bias")] = 1.0;
+  features[named("empty_on_empty")] = features[named("occupied_on_occupied")] = agreement;
+  features[named("occupied_on_empty")] = 1.0 - agreement;
+  features[named("margin")] = std::log1p(margin);
+  return features;
 }
 
-Recognition judged(const std::vector<double>& scores, const Support& support,
+Recognition judged(const std::vector<double>& scores, const CalibrationFeatures& features,
                    const Calibration& calibration = {}) {
   Recognition recognition = withScores(scores);
-  judge(support, calibration, 0.8, recognition);
+  judge(features, calibration, 0.8, recognition);
   return recognition;
 }
 
 const PairCounts kOwn{{{100, 0, 0}, {0, 50, 0}, {0, 0, 20}}};
 const PairCounts kAt{{{60, 30, 10}, {7, 8, 9}, {4, 1, 15}}};
 
-TEST(SupportOf, SharesAreThoseOfTheScansCells) {
-  CloseCounts closely;
-  closely.near = {16, 18, 0, 0, 0, 25, 0};
-  const Support found = supportOf(kAt, closely, kOwn, {0, 3.0, 5.0, 7.0}, 4, 0.5);
+TEST(CalibrationFeaturesOf, SharesAreThoseOfTheScansCells) {
+  RescoringCounts near;
+  near.near = {16, 18, 0, 0, 0, 25, 0};
+  const CalibrationFeatures found =
+      calibrationFeatures(kAt, near, kOwn, {0, 3.0, 5.0, 7.0}, 4, 0.5);
   EXPECT_EQ(found[named("bias")], 1.0);
   EXPECT_EQ(found[named("empty_on_empty")], 0.6);
   EXPECT_EQ(found[named("empty_on_occupied")], 0.1);
@@ -57,15 +58,15 @@ TEST(SupportOf, SharesAreThoseOfTheScansCells) {
   EXPECT_DOUBLE_EQ(found[named("learned_occupied_on_empty")], 10.0 / 34.0);
   EXPECT_DOUBLE_EQ(found[named("learned_occupied_on_occupied")], 15.0 / 34.0);
   EXPECT_DOUBLE_EQ(found[named("learned_empty_on_occupied")], 4.0 / 71.0);
-  EXPECT_DOUBLE_EQ(found[named("lead")], std::log1p(1.5));
-  EXPECT_EQ(found[named("prominence")], 2.5);
-  EXPECT_EQ(found[named("uncontested")], 3.5);
-  EXPECT_EQ(found[named("fewness")], 0.25);
+  EXPECT_DOUBLE_EQ(found[named("margin")], std::log1p(1.5));
+  EXPECT_EQ(found[named("mean_margin")], 2.5);
+  EXPECT_EQ(found[named("unopposed")], 3.5);
+  EXPECT_EQ(found[named("inverse_place_count")], 0.25);
 }
 
-TEST(SupportOf, SharesAreNothingWhereTheScanHasNoSuchCell) {
+TEST(CalibrationFeaturesOf, SharesAreNothingWhereTheScanHasNoSuchCell) {
   const PairCounts unsensed{{{0, 0, 0}, {0, 4096, 0}, {0, 0, 0}}};
-  const Support found = supportOf(unsensed, {}, unsensed, {}, 2, 1.0);
+  const CalibrationFeatures found = calibrationFeatures(unsensed, {}, unsensed, {}, 2, 1.0);
   for (const char* name : {"empty_on_empty", "occupied_on_occupied", "empty_by_occupied",
                            "learned_occupied_on_occupied", "learned_empty_on_occupied"}) {
     EXPECT_EQ(found[named(name)], 0.0) << name;
@@ -73,27 +74,27 @@ TEST(SupportOf, SharesAreNothingWhereTheScanHasNoSuchCell) {
 }
 
 TEST(Judge, WithoutPlacesIsUnknown) {
-  EXPECT_EQ(judged({}, support(0.9, 0.0)).verdict, Verdict::kUnknown);
+  EXPECT_EQ(judged({}, features(0.9, 0.0)).verdict, Verdict::kUnknown);
 }
 
 TEST(Judge, AGoodMatchFarAheadIsRecognized) {
-  EXPECT_EQ(judged({40.0, 5.0}, support(0.9, 35.0)).verdict, Verdict::kRecognized);
+  EXPECT_EQ(judged({40.0, 5.0}, features(0.9, 35.0)).verdict, Verdict::kRecognized);
 }
 
 TEST(Judge, AGoodMatchWithACloseRunnerUpIsAmbiguous) {
-  EXPECT_EQ(judged({40.0, 39.9}, support(0.9, 0.1)).verdict, Verdict::kAmbiguous);
+  EXPECT_EQ(judged({40.0, 39.9}, features(0.9, 0.1)).verdict, Verdict::kAmbiguous);
 }
 
 TEST(Judge, TheOnlyPlaceIsNeverAmbiguous) {
-  EXPECT_EQ(judged({20.0}, support(0.9, 0.0)).verdict, Verdict::kUnknown);
+  EXPECT_EQ(judged({20.0}, features(0.9, 0.0)).verdict, Verdict::kUnknown);
 }
 
 TEST(Judge, ABadMatchIsUnknownHoweverFarAhead) {
-  EXPECT_EQ(judged({40.0, 5.0}, support(0.3, 35.0)).verdict, Verdict::kUnknown);
+  EXPECT_EQ(judged({40.0, 5.0}, features(0.3, 35.0)).verdict, Verdict::kUnknown);
 }
 
 TEST(Judge, ProbabilitiesSumToAtMostOneAndTheOthersFallWithTheirScores) {
-  const Recognition recognition = judged({12.0, 11.0, 10.5, 3.0, -40.0}, support(0.9, 1.0));
+  const Recognition recognition = judged({12.0, 11.0, 10.5, 3.0, -40.0}, features(0.9, 1.0));
   double all = 0.0;
   for (std::size_t i = 0; i < recognition.matches.size(); ++i) {
     const double p = recognition.matches[i].probability;
@@ -105,7 +106,7 @@ TEST(Judge, ProbabilitiesSumToAtMostOneAndTheOthersFallWithTheirScores) {
 }
 
 TEST(Judge, AChosenMatchMayScoreLessThanTheOthers) {
-  const Recognition recognition = judged({9.0, 900.0, 2000.0}, support(0.9, 2.0));
+  const Recognition recognition = judged({9.0, 900.0, 2000.0}, features(0.9, 2.0));
   EXPECT_TRUE(std::isfinite(recognition.matches[1].probability));
   EXPECT_GT(recognition.matches[2].probability, recognition.matches[1].probability);
 }
@@ -114,7 +115,7 @@ TEST(Judge, TheOddsFollowTheStatedFormula) {
   Calibration calibration;
   calibration.scale = 0.5;
   double right = 0.0, known = 0.0;
-  const Support given = support(0.9, 4.0);
+  const CalibrationFeatures given = features(0.9, 4.0);
   for (std::size_t i = 0; i < given.size(); ++i) {
     calibration.right[i] = 0.1 * static_cast<double>(i) - 0.2;
     calibration.known[i] = 0.2 * static_cast<double>(i) - 0.5;
@@ -131,7 +132,7 @@ TEST(Judge, NoOtherMatchIsMoreLikelyThanTheBest) {
   Calibration calibration;
   calibration.right = {-2.0};
   calibration.known = {4.0};
-  const Recognition recognition = judged({9.0, 8.9, 3.0}, support(0.5, 0.1), calibration);
+  const Recognition recognition = judged({9.0, 8.9, 3.0}, features(0.5, 0.1), calibration);
   EXPECT_EQ(recognition.verdict, Verdict::kAmbiguous);
   EXPECT_EQ(recognition.matches[1].probability, recognition.matches[0].probability);
   EXPECT_LT(recognition.matches[2].probability, recognition.matches[1].probability);
@@ -141,7 +142,7 @@ TEST(Judge, SomePlaceIsNeverLessLikelyThanTheBest) {
   Calibration calibration;
   calibration.right = {0.5};
   calibration.known = {-4.0};
-  EXPECT_EQ(judged({9.0, 8.0}, support(0.5, 0.1), calibration).matches[1].probability, 0.0);
+  EXPECT_EQ(judged({9.0, 8.0}, features(0.5, 0.1), calibration).matches[1].probability, 0.0);
 }
 
 }  // namespace

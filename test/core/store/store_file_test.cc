@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <optional>
@@ -67,7 +69,7 @@ TEST_F(PlaceStoreTest, OfManyThatCreateItAtOnceOneHasIt) {
         for (++ready; ready < 4;) std::this_thread::yield();
         try {
           PlaceStore store(path, kDefaultCellSize);
-          store.add(makePlace("of " + std::to_string(i)), makeGrid(1), kNoPlace);
+          add(store, makePlace("of " + std::to_string(i)), makeGrid(1), kNoPlace);
           ++held;
           ++ready;
           while (!all_tried) std::this_thread::yield();
@@ -99,8 +101,8 @@ TEST_F(PlaceStoreTest, RefusesChangesWhereTheFileWasDeleted) {
   fill();
   PlaceStore store = open();
   fs::remove(path_);
-  EXPECT_THROW(store.add(makePlace("d"), makeGrid(4), kNoPlace), StoreError);
-  EXPECT_THROW(store.rename(1, "e"), StoreError);
+  EXPECT_THROW(add(store, makePlace("d"), makeGrid(4), kNoPlace), StoreError);
+  EXPECT_THROW(rename(store, 1, "e"), StoreError);
   EXPECT_EQ(store.map().size(), 3U);
 }
 
@@ -109,7 +111,7 @@ TEST_F(PlaceStoreTest, RefusesChangesWhereAnotherFileStandsInThePlace) {
   PlaceStore store = open();
   fs::rename(path_, folder_.file("elsewhere.db"));
   fill();
-  EXPECT_THROW(store.remove(1), StoreError);
+  EXPECT_THROW(commit(store, {PlaceRemoved{1}}), StoreError);
   EXPECT_EQ(open().map().size(), 3U);
 }
 
@@ -120,15 +122,109 @@ class AsNobody {
   ~AsNobody() { EXPECT_EQ(seteuid(0), 0); }
 };
 
-TEST_F(PlaceStoreTest, RefusesAFileThatCannotBeWritten) {
+/// While it lives the file, and where it lies, may be read and not written.
+class ReadOnly {
+ public:
+  explicit ReadOnly(const fs::path& file) : file_(file) {
+    fs::permissions(file_, fs::perms(0444));
+    fs::permissions(file_.parent_path(), fs::perms(0555));
+    if (geteuid() == 0) nobody_.emplace();
+  }
+  ~ReadOnly() {
+    nobody_.reset();
+    fs::permissions(file_.parent_path(), fs::perms(0777));
+    fs::permissions(file_, fs::perms(0666));
+  }
+  ReadOnly(const ReadOnly&) = delete;
+  ReadOnly& operator=(const ReadOnly&) = delete;
+
+ private:
+  const fs::path file_;
+  std::optional<AsNobody> nobody_;
+};
+
+void expectThreePlaces(const PlaceStore& store) {
+  const PlaceMap map = store.map();
+  EXPECT_EQ(map.size(), 3U);
+  EXPECT_EQ(map.links().size(), 2U);
+  std::size_t planes = 0;
+  store.forEachPlanes([&planes](PlaceId, const CellPlanes&) { ++planes; });
+  EXPECT_EQ(planes, 3U);
+  EXPECT_EQ(store.grid(2), makeGrid(2));
+}
+
+TEST_F(PlaceStoreTest, ReadsAFileThatCannotBeWrittenUntilItCan) {
   fill();
-  fs::permissions(path_, fs::perms(0444));
-  fs::permissions(folder_.path(), fs::perms(0555));
-  std::optional<AsNobody> nobody;
-  if (geteuid() == 0) nobody.emplace();
-  EXPECT_THROW(open(), StoreError);
-  nobody.reset();
-  fs::permissions(folder_.path(), fs::perms(0755));
+  std::optional<PlaceStore> store;
+  {
+    const ReadOnly read_only(path_);
+    store.emplace(open());
+    expectThreePlaces(*store);
+    EXPECT_NE(store->whyReadOnly().find(path_), std::string::npos);
+    EXPECT_THROW(rename(*store, 1, "z"), StoreError);
+    expectThreePlaces(*store);
+  }
+  // Somebody else may write the file again; this one may too, but for the test's being root.
+  rename(*store, 1, "z");
+  EXPECT_EQ(store->whyReadOnly(), "");
+  store.reset();
+  EXPECT_EQ(open().map().find(1)->label, "z");
+}
+
+TEST_F(PlaceStoreTest, DoesNotWriteOverWhatAnotherProgramWroteMeanwhile) {
+  fill();
+  std::optional<PlaceStore> store;
+  {
+    const ReadOnly read_only(path_);
+    store.emplace(open());
+  }
+  const std::string copy = folder_.file("copy.db");
+  fs::copy_file(path_, copy);
+  {
+    PlaceStore other(copy, kDefaultCellSize);
+    rename(other, 1, "theirs");
+  }
+  fs::rename(copy, path_);
+  EXPECT_THROW(rename(*store, 2, "mine"), StoreError);
+  EXPECT_THROW(rename(*store, 2, "mine"), StoreError);
+  EXPECT_NE(store->whyReadOnly().find("another program"), std::string::npos);
+  store.reset();
+  EXPECT_EQ(open().map().find(1)->label, "theirs");
+  EXPECT_EQ(open().map().find(2)->label, "b");
+}
+
+TEST_F(PlaceStoreTest, OnAFullDiskItIsReadAndWritingResumes) {
+  fill();
+  std::optional<PlaceStore> store;
+  {
+    const FullDisk full;
+    store.emplace(open());
+    expectThreePlaces(*store);
+    EXPECT_NE(store->whyReadOnly(), "");
+    EXPECT_THROW(add(*store, makePlace("d"), makeGrid(4), 1), StoreError);
+    expectThreePlaces(*store);
+  }
+  EXPECT_EQ(add(*store, makePlace("d"), makeGrid(4), 1), 4);
+  EXPECT_EQ(store->whyReadOnly(), "");
+  EXPECT_EQ(store->grid(4), makeGrid(4));
+  store.reset();
+  EXPECT_EQ(open().map().size(), 4U);
+}
+
+TEST_F(PlaceStoreTest, OutlivesADiskThatFillsUpWhileItIsOpen) {
+  fill();
+  PlaceStore store = open();
+  rename(store, 1, "before");
+  {
+    const FullDisk full;
+    EXPECT_THROW(add(store, makePlace("d"), makeGrid(4), 1), StoreError);
+    EXPECT_NE(store.whyReadOnly(), "");
+    expectThreePlaces(store);
+  }
+  EXPECT_EQ(add(store, makePlace("d"), makeGrid(4), 1), 4);
+  EXPECT_EQ(store.whyReadOnly(), "");
+  EXPECT_EQ(store.map().find(1)->label, "before");
+  EXPECT_THROW(rename(store, 2, "d"), StoreError);
 }
 
 TEST_F(PlaceStoreTest, AFileThatIsOnlyReadStaysAsItIs) {
@@ -138,12 +234,62 @@ TEST_F(PlaceStoreTest, AFileThatIsOnlyReadStaysAsItIs) {
   EXPECT_EQ(readFile(path_), before);
 }
 
-TEST_F(PlaceStoreTest, RefusesAFolder) {
-  EXPECT_THROW(PlaceStore(folder_.path().string(), kDefaultCellSize), StoreError);
+std::string reasonAgainst(const std::string& path) {
+  try {
+    PlaceStore(path, kDefaultCellSize);
+  } catch (const StoreError& error) {
+    return error.what();
+  }
+  return "";
 }
 
-TEST_F(PlaceStoreTest, RefusesAFileInAFolderThatIsNotThere) {
-  EXPECT_THROW(PlaceStore(folder_.file("nowhere/places.db"), kDefaultCellSize), StoreError);
+TEST_F(PlaceStoreTest, RefusesAFolder) {
+  EXPECT_NE(reasonAgainst(folder_.path().string()).find("is a folder"), std::string::npos);
+}
+
+TEST_F(PlaceStoreTest, RefusesWhatIsNoFileWithoutWaitingForIt) {
+  const std::string pipe = folder_.file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_NE(reasonAgainst(pipe).find("is no file"), std::string::npos);
+}
+
+TEST_F(PlaceStoreTest, NamesTheFolderThatIsNotThere) {
+  const std::string reason = reasonAgainst(folder_.file("nowhere/places.db"));
+  EXPECT_NE(reason.find("no folder " + folder_.file("nowhere")), std::string::npos) << reason;
+}
+
+TEST_F(PlaceStoreTest, SaysWhereItLies) {
+  const fs::path before = fs::current_path();
+  const char* home = std::getenv("HOME");
+  const std::string old_home = home == nullptr ? "" : home;
+  fs::current_path(folder_.path());
+  setenv("HOME", folder_.path().c_str(), 1);
+  const std::string relative = PlaceStore("places.db", kDefaultCellSize).path();
+  const std::string tilde = PlaceStore("~/places.db", kDefaultCellSize).path();
+  fs::current_path(before);
+  setenv("HOME", old_home.c_str(), 1);
+  EXPECT_EQ(relative, fs::canonical(path_).string());
+  EXPECT_EQ(tilde, fs::canonical(path_).string());
+  EXPECT_EQ(PlaceStore("", kDefaultCellSize).path(), "");
+}
+
+TEST_F(PlaceStoreTest, FollowsALinkToItsFile) {
+  fs::create_directory(folder_.file("disk"));
+  fs::create_symlink(folder_.file("disk/real.db"), path_);
+  fill();
+  EXPECT_TRUE(fs::is_symlink(path_));
+  EXPECT_EQ(PlaceStore(folder_.file("disk/real.db"), kDefaultCellSize).map().size(), 3U);
+}
+
+TEST_F(PlaceStoreTest, ClearsAwayWhatAKilledCreationLeft) {
+  const std::string left = path_ + ".new-123-456";
+  for (const std::string& name : {left, left + "-journal"}) writeFile(name, "half");
+  const std::string other = path_ + ".new-years-party";
+  writeFile(other, "of somebody");
+  fill();
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_FALSE(fs::exists(left + "-journal"));
+  EXPECT_TRUE(fs::exists(other));
 }
 
 }  // namespace

@@ -35,9 +35,10 @@ TEST_P(FullSearchTest, FindsWhatTryingEverythingFinds) {
   core::LatticeMetric metric;
   metric.weights = GetParam().weights;
   metric.shift_cost = 0.01;
-  metric.turn_cost = 0.02;
+  metric.rotation_cost = 0.02;
   for (const std::size_t q : {0U, 7U, 16U}) {
-    const core::QueryPlanes query(simulated_->local[q].scan.grid, core::kHeadingStep, window.turns);
+    const core::QueryPlanes query(simulated_->local[q].scan.grid, core::kHeadingStep,
+                                  window.rotations);
     ScoredPlace expected;
     for (std::size_t i = 0; i < 21; ++i) {
       const core::CellPlanes place(simulated_->places[i].grid);

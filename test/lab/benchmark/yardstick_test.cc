@@ -46,11 +46,11 @@ TEST(Yardstick, ClimbsToWhereTheRoomLies) {
 }
 
 TEST(Yardstick, FindsAnyHeadingFromEightStarts) {
-  CellClasses turned{};  // by a half turn
+  CellClasses rotated{};  // by a half rotation
   const CellClasses upright = room(0, 0);
-  std::reverse_copy(upright.begin(), upright.end(), turned.begin());
-  const YardstickMatch blind = climbByCells(upright, turned, core::kDefaultCellSize, false);
-  const YardstickMatch match = climbByCells(upright, turned, core::kDefaultCellSize, true);
+  std::reverse_copy(upright.begin(), upright.end(), rotated.begin());
+  const YardstickMatch blind = climbByCells(upright, rotated, core::kDefaultCellSize, false);
+  const YardstickMatch match = climbByCells(upright, rotated, core::kDefaultCellSize, true);
   EXPECT_EQ(match.score, core::kGridCells);
   EXPECT_NEAR(std::abs(match.place_from_scan.yaw), core::kPi, 1e-9);
   EXPECT_LT(blind.score, match.score);

@@ -86,10 +86,10 @@ CandidateList someList() {
     Candidate candidate;
     candidate.place = i;
     candidate.features[8] = static_cast<double>(i);
-    candidate.closely.inner[0][2] = static_cast<int>(i) + 100;
-    candidate.closely.middle[2][1] = static_cast<int>(i) + 300;
-    candidate.closely.near[6] = static_cast<int>(i) + 200;
-    candidate.falloff = {-1.0 * static_cast<double>(i), -0.5 * static_cast<double>(i)};
+    candidate.near.inner[0][2] = static_cast<int>(i) + 100;
+    candidate.near.middle[2][1] = static_cast<int>(i) + 300;
+    candidate.near.near[6] = static_cast<int>(i) + 200;
+    candidate.sharpness = {-1.0 * static_cast<double>(i), -0.5 * static_cast<double>(i)};
     candidate.at_truth = i == 12;
     list.candidates.push_back(candidate);
   }
@@ -99,8 +99,8 @@ CandidateList someList() {
 TEST(SecondChoices, AreAmongTheBestOfTheFirstLook) {
   Features weights = Features::Zero();
   weights[8] = 2.0;
-  const Choice choice = secondChoices({someList()}, weights).front();
-  ASSERT_EQ(choice.features.rows(), static_cast<Eigen::Index>(core::kLookedAtAgain));
+  const Choice choice = rescoringChoices({someList()}, weights).front();
+  ASSERT_EQ(choice.features.rows(), static_cast<Eigen::Index>(core::kRescored));
   EXPECT_EQ(choice.features(0, 0), 28.0);
   EXPECT_EQ(choice.features(2, 3), 112.0);
   EXPECT_EQ(choice.features(2, 17), 312.0);
@@ -114,23 +114,23 @@ TEST(SecondChoices, AreAmongTheBestOfTheFirstLook) {
 TEST(SecondChoices, ScoreAsTheRecognizerScores) {
   Features weights = Features::Zero();
   weights[8] = 2.0;
-  core::SecondLook look;
-  look.first = 0.5;
-  look.inner[0][2] = 0.25;
-  look.middle[2][1] = -0.5;
-  look.near[6] = -0.125;
-  look.beside = 0.75;
-  look.turned = -1.5;
+  core::RescoringWeights rescoring;
+  rescoring.search_score = 0.5;
+  rescoring.inner[0][2] = 0.25;
+  rescoring.middle[2][1] = -0.5;
+  rescoring.near[6] = -0.125;
+  rescoring.peak_sharpness_shift = 0.75;
+  rescoring.peak_sharpness_rotation = -1.5;
   const CandidateList list = someList();
-  const Choice choice = secondChoices({list}, weights).front();
+  const Choice choice = rescoringChoices({list}, weights).front();
   EXPECT_DOUBLE_EQ(
-      (choice.features * asWeights(look))[0],
-      core::scoreAgain(28.0, list.candidates[14].closely, list.candidates[14].falloff, look));
+      (choice.features * asWeights(rescoring))[0],
+      core::rescore(28.0, list.candidates[14].near, list.candidates[14].sharpness, rescoring));
 }
 
 TEST(AsSecondLook, IsTheInverseOfAsWeights) {
   const Eigen::VectorXd weights = Eigen::VectorXd::LinSpaced(28, 0.5, 14.0);
-  EXPECT_EQ(asWeights(asSecondLook(weights)), weights);
+  EXPECT_EQ(asWeights(asRescoringWeights(weights)), weights);
 }
 
 TEST(AsMetric, IsTheInverseOfAsWeights) {

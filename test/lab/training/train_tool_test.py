@@ -11,15 +11,16 @@ import tempfile
 import unittest
 
 TOOL = sys.argv.pop(1)
-PRESETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "config", "presets")
+PRESETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "config", "presets")
 
 
-def train(*options):
+def train(*options, **environment):
     """Runs the tool; what it wrote, or None, and the finished process."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "preset.yaml")
         done = subprocess.run([TOOL, "--out", path, *options], stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, universal_newlines=True)
+                              stderr=subprocess.PIPE, universal_newlines=True,
+                              env=dict(os.environ, **environment))
         if not os.path.exists(path):
             return None, done
         with open(path) as file:
@@ -53,6 +54,14 @@ class ShippedPresets(unittest.TestCase):
 
     def test_paper_is_what_the_command_at_its_head_writes(self):
         self.check("paper.yaml")
+
+
+class Failing(unittest.TestCase):
+    def test_what_fails_in_a_worker_is_said_and_ends_the_tool(self):
+        written, done = train("--seeds", "3", "--held-back", "2", PLACE_MEMORY_ISA="abacus")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("place_memory_train: PLACE_MEMORY_ISA is 'abacus'", done.stderr)
+        self.assertIsNone(written)
 
 
 class Refused(unittest.TestCase):

@@ -69,7 +69,7 @@ TEST(FitCalibration, TellsKnownScansFromStrangersBetterThanChance) {
     known.insert(known.end(), lists.begin(), lists.end());
     strangers.insert(strangers.end(), without.begin(), without.end());
   }
-  const RankingWeights weights{asWeights(metric), preset.second_look};
+  const RankingWeights weights{asWeights(metric), preset.rescoring};
   const core::Calibration calibration = fitCalibration(known, strangers, weights);
   const CalibrationReport report = reportCalibration(known, strangers, weights, calibration, 0.6);
   EXPECT_GT(report.recognized, report.accepted);
@@ -81,16 +81,16 @@ TEST(WritePreset, IsReadBackAsItWas) {
   config::MatchPreset preset;
   preset.metric.weights = {{{0.5, -1.25, 2.0}, {0.0, 0.125, -3.0}, {4.0, -5.5, 6.0}}};
   preset.metric.shift_cost = 1.5;
-  preset.metric.turn_cost = 2.5;
+  preset.metric.rotation_cost = 2.5;
   preset.metric.overlap_only = true;
-  core::SecondLook look;
-  look.first = 0.75;
-  look.inner = {{{3.5, -2.25, 1.0}, {0.5, 0.25, -6.0}, {8.0, -0.5, 16.0}}};
-  look.middle = {{{1.5, -0.25, 2.0}, {4.5, 0.75, -3.0}, {5.0, -1.5, 32.0}}};
-  look.beside = -0.5;
-  look.turned = 0.375;
-  look.near = {1.0, -2.0, 4.0, -8.0, 0.5, 0.25, -0.125};
-  preset.second_look = look;
+  core::RescoringWeights rescoring;
+  rescoring.search_score = 0.75;
+  rescoring.inner = {{{3.5, -2.25, 1.0}, {0.5, 0.25, -6.0}, {8.0, -0.5, 16.0}}};
+  rescoring.middle = {{{1.5, -0.25, 2.0}, {4.5, 0.75, -3.0}, {5.0, -1.5, 32.0}}};
+  rescoring.peak_sharpness_shift = -0.5;
+  rescoring.peak_sharpness_rotation = 0.375;
+  rescoring.near = {1.0, -2.0, 4.0, -8.0, 0.5, 0.25, -0.125};
+  preset.rescoring = rescoring;
   preset.calibration.scale = 0.5;
   preset.calibration.right = {-1.0, 0.25, -0.5, -0.75, 2.0, 3.0,  4.0, 5.0,
                               1.25, 0.5,  -8.0, 6.0,   7.0, -7.0, 9.0};
@@ -102,15 +102,15 @@ TEST(WritePreset, IsReadBackAsItWas) {
   const config::MatchPreset read = config::loadPreset(path);
   EXPECT_EQ(read.metric.weights, preset.metric.weights);
   EXPECT_EQ(read.metric.shift_cost, 1.5);
-  EXPECT_EQ(read.metric.turn_cost, 2.5);
+  EXPECT_EQ(read.metric.rotation_cost, 2.5);
   EXPECT_TRUE(read.metric.overlap_only);
-  ASSERT_TRUE(read.second_look);
-  EXPECT_EQ(read.second_look->first, 0.75);
-  EXPECT_EQ(read.second_look->inner, look.inner);
-  EXPECT_EQ(read.second_look->middle, look.middle);
-  EXPECT_EQ(read.second_look->near, look.near);
-  EXPECT_EQ(read.second_look->beside, -0.5);
-  EXPECT_EQ(read.second_look->turned, 0.375);
+  ASSERT_TRUE(read.rescoring);
+  EXPECT_EQ(read.rescoring->search_score, 0.75);
+  EXPECT_EQ(read.rescoring->inner, rescoring.inner);
+  EXPECT_EQ(read.rescoring->middle, rescoring.middle);
+  EXPECT_EQ(read.rescoring->near, rescoring.near);
+  EXPECT_EQ(read.rescoring->peak_sharpness_shift, -0.5);
+  EXPECT_EQ(read.rescoring->peak_sharpness_rotation, 0.375);
   EXPECT_EQ(read.calibration.scale, 0.5);
   EXPECT_EQ(read.calibration.right, preset.calibration.right);
   EXPECT_EQ(read.calibration.known, preset.calibration.known);
@@ -118,9 +118,9 @@ TEST(WritePreset, IsReadBackAsItWas) {
 }
 
 TEST(WritePreset, WithoutASecondLookThereIsNone) {
-  const std::string path = testing::TempDir() + "one_look.yaml";
+  const std::string path = testing::TempDir() + "no_rescoring.yaml";
   writePreset(path, "Written by a test.", {});
-  EXPECT_FALSE(config::loadPreset(path).second_look);
+  EXPECT_FALSE(config::loadPreset(path).rescoring);
 }
 
 TEST(WritePreset, AnUnwritablePathIsAnError) {

@@ -1,18 +1,18 @@
-#include "core/kernels/cell_windows.h"
+#include "core/kernels/byte_tiles.h"
 
 #include <gtest/gtest.h>
 
 #include <iostream>
 #include <random>
 
-#include "core/kernels/turn_table.h"
+#include "core/kernels/rotation_table.h"
 #include "core/match/lattice.h"
 
 namespace place_memory::core {
 namespace {
 
-TEST(CellWindows, TurnAsCellByCell) {
-  if (!turnsByWindows()) {
+TEST(ByteTiles, RotateAsCellByCell) {
+  if (!rotatesByTiles()) {
     std::cout << "not on this processor\n";
     return;
   }
@@ -23,13 +23,13 @@ TEST(CellWindows, TurnAsCellByCell) {
     for (std::uint64_t& row : cells.occupied) {
       row = kind == 0 ? 0 : kind == 1 ? ~std::uint64_t{0} : engine();
     }
-    const CellWindows windows(cells.occupied);
-    for (int turn = -kHalfCircle; turn <= kHalfCircle; ++turn) {
+    const ByteTiles tiles(cells.occupied);
+    for (int rotation = -kHalfCircle; rotation <= kHalfCircle; ++rotation) {
       for (const double off : {0.0, 0.31}) {
-        const TurnTable table((turn + off) * kHeadingStep);
-        ASSERT_EQ(turnByWindows(windows, WindowTable(table.from())),
-                  table.turn(CellBytes(cells)).occupied)
-            << turn + off << " steps";
+        const RotationTable table((rotation + off) * kHeadingStep);
+        ASSERT_EQ(rotateByTiles(tiles, TileTable(table.from())),
+                  table.rotate(CellBytes(cells)).occupied)
+            << rotation + off << " steps";
       }
     }
   }

@@ -1,11 +1,11 @@
-#include "core/kernels/turn_table.h"
+#include "core/kernels/rotation_table.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/grid/heading_step.h"
-#include "core/kernels/cell_windows.h"
+#include "core/kernels/byte_tiles.h"
 
 namespace place_memory::core {
 namespace {
@@ -43,7 +43,7 @@ BitPlane transposed(BitPlane plane) {
 }
 
 /// Counter-clockwise.
-BitPlane turnedByQuarters(BitPlane plane, int quarters) {
+BitPlane rotatedByQuarters(BitPlane plane, int quarters) {
   if (quarters == 1 || quarters == 2) std::reverse(plane.begin(), plane.end());
   if (quarters == 1 || quarters == 3) plane = transposed(plane);
   if (quarters == 3) std::reverse(plane.begin(), plane.end());
@@ -53,42 +53,42 @@ BitPlane turnedByQuarters(BitPlane plane, int quarters) {
   return plane;
 }
 
-CellPlanes turnedByQuarters(const CellPlanes& cells, int quarters) {
-  CellPlanes turned;
-  turned.occupied = turnedByQuarters(cells.occupied, quarters);
-  turned.empty = turnedByQuarters(cells.empty, quarters);
-  return turned;
+CellPlanes rotatedByQuarters(const CellPlanes& cells, int quarters) {
+  CellPlanes rotated;
+  rotated.occupied = rotatedByQuarters(cells.occupied, quarters);
+  rotated.empty = rotatedByQuarters(cells.empty, quarters);
+  return rotated;
 }
 
-/// A turn by either way of turning.
+/// A rotation, cell by cell and by tiles.
 struct StepTable {
-  explicit StepTable(double angle) : by_cell(angle), by_window(by_cell.from()) {}
+  explicit StepTable(double angle) : by_cell(angle), by_tile(by_cell.from()) {}
 
-  TurnTable by_cell;
-  WindowTable by_window;
+  RotationTable by_cell;
+  TileTable by_tile;
 };
 
-/// A grid that is turned again and again.
-class TurnedCells {
+/// A grid that is rotated again and again.
+class RotatedCells {
  public:
-  explicit TurnedCells(const EvidenceGrid& grid)
-      : TurnedCells(CellPlanes(grid), turnsByWindows()) {}
+  explicit RotatedCells(const EvidenceGrid& grid)
+      : RotatedCells(CellPlanes(grid), rotatesByTiles()) {}
 
-  CellPlanes turn(const StepTable& table) const {
+  CellPlanes rotate(const StepTable& table) const {
 #if defined(__x86_64__)
     if (occupied_) {
-      CellPlanes turned;
-      turned.occupied = turnByWindows(*occupied_, table.by_window);
-      turned.empty = turnByWindows(*empty_, table.by_window);
-      return turned;
+      CellPlanes rotated;
+      rotated.occupied = rotateByTiles(*occupied_, table.by_tile);
+      rotated.empty = rotateByTiles(*empty_, table.by_tile);
+      return rotated;
     }
 #endif
-    return table.by_cell.turn(*bytes_);
+    return table.by_cell.rotate(*bytes_);
   }
 
  private:
-  TurnedCells(const CellPlanes& cells, bool by_windows) {
-    if (by_windows) {
+  RotatedCells(const CellPlanes& cells, bool by_tiles) {
+    if (by_tiles) {
       occupied_.emplace(cells.occupied);
       empty_.emplace(cells.empty);
     } else {
@@ -96,17 +96,18 @@ class TurnedCells {
     }
   }
 
-  std::optional<CellWindows> occupied_, empty_;
+  std::optional<ByteTiles> occupied_, empty_;
   std::optional<CellBytes> bytes_;
 };
 
-/// Turns of less than an eighth; the others follow from them by quarter turns, but for those by odd
+/// Rotations of less than an eighth; the others follow from them by quarters, but for those by odd
 /// eighths, which put cells on the border of two: there, rounding decides.
-struct TurnTables {
-  TurnTables() {
-    for (int turn = 1 - kEighth; turn < kEighth; ++turn) small.emplace_back(turn * kHeadingStep);
-    for (int turn = -kQuarter - kEighth; turn <= kQuarter + kEighth; turn += kQuarter) {
-      eighths.emplace_back(turn * kHeadingStep);
+struct RotationTables {
+  RotationTables() {
+    for (int rotation = 1 - kEighth; rotation < kEighth; ++rotation)
+      small.emplace_back(rotation * kHeadingStep);
+    for (int rotation = -kQuarter - kEighth; rotation <= kQuarter + kEighth; rotation += kQuarter) {
+      eighths.emplace_back(rotation * kHeadingStep);
     }
   }
 
@@ -132,7 +133,7 @@ CellBytes::CellBytes(const CellPlanes& cells) {
   }
 }
 
-TurnTable::TurnTable(double angle) {
+RotationTable::RotationTable(double angle) {
   constexpr double kMiddle = 0.5 * (kGridSize - 1);
   const double c = std::cos(angle);
   const double s = std::sin(angle);
@@ -150,7 +151,7 @@ TurnTable::TurnTable(double angle) {
   }
 }
 
-CellPlanes TurnTable::turn(const CellBytes& cells) const {
+CellPlanes RotationTable::rotate(const CellBytes& cells) const {
   CellPlanes planes;
   for (std::size_t row = 0; row < kGridSize; ++row) {
     for (std::size_t column = 0; column < kGridSize; column += 8) {
@@ -166,29 +167,31 @@ CellPlanes TurnTable::turn(const CellBytes& cells) const {
   return planes;
 }
 
-std::vector<CellPlanes> turnedBySteps(const EvidenceGrid& grid, int turns) {
-  static const TurnTables tables;
-  const TurnedCells cells(grid);
-  const int count = 2 * turns + 1;
-  std::vector<CellPlanes> turned(static_cast<std::size_t>(count));
-  const auto at = [&](int turn) -> CellPlanes& {
-    const int index = turn + turns;
-    return turned[static_cast<std::size_t>(index)];
+std::vector<CellPlanes> rotatedBySteps(const EvidenceGrid& grid, int rotations) {
+  static const RotationTables tables;
+  const RotatedCells cells(grid);
+  const int count = 2 * rotations + 1;
+  std::vector<CellPlanes> rotated(static_cast<std::size_t>(count));
+  const auto at = [&](int rotation) -> CellPlanes& {
+    const int index = rotation + rotations;
+    return rotated[static_cast<std::size_t>(index)];
   };
   for (int base = 1 - kEighth; base < kEighth; ++base) {
-    if (std::abs(base) > turns) continue;
+    if (std::abs(base) > rotations) continue;
     const int index = base + kEighth - 1;
-    at(base) = cells.turn(tables.small[static_cast<std::size_t>(index)]);
+    at(base) = cells.rotate(tables.small[static_cast<std::size_t>(index)]);
     for (const int quarters : {-2, -1, 1, 2}) {
-      const int turn = base + quarters * kQuarter;
-      if (std::abs(turn) <= turns) at(turn) = turnedByQuarters(at(base), (quarters + 4) % 4);
+      const int rotation = base + quarters * kQuarter;
+      if (std::abs(rotation) <= rotations)
+        at(rotation) = rotatedByQuarters(at(base), (quarters + 4) % 4);
     }
   }
   for (int i = 0; i < 4; ++i) {
-    const int turn = (2 * i - 3) * kEighth;
-    if (std::abs(turn) <= turns) at(turn) = cells.turn(tables.eighths[static_cast<std::size_t>(i)]);
+    const int rotation = (2 * i - 3) * kEighth;
+    if (std::abs(rotation) <= rotations)
+      at(rotation) = cells.rotate(tables.eighths[static_cast<std::size_t>(i)]);
   }
-  return turned;
+  return rotated;
 }
 
 }  // namespace place_memory::core

@@ -1,5 +1,5 @@
-#ifndef PLACE_MEMORY_CORE_KERNELS_TURN_TABLE_H
-#define PLACE_MEMORY_CORE_KERNELS_TURN_TABLE_H
+#ifndef PLACE_MEMORY_CORE_KERNELS_ROTATION_TABLE_H
+#define PLACE_MEMORY_CORE_KERNELS_ROTATION_TABLE_H
 
 #include <array>
 #include <cstdint>
@@ -21,13 +21,13 @@ struct CellBytes {
   std::array<std::uint8_t, kGridCells + 1> classes{};
 };
 
-/// Where each cell of a grid comes from when the grid is turned about its centre, as turned() does
-/// it.
-class TurnTable {
+/// Where each cell of a grid comes from when the grid is rotated about its centre, as rotated()
+/// does it.
+class RotationTable {
  public:
-  explicit TurnTable(double angle);
+  explicit RotationTable(double angle);
 
-  CellPlanes turn(const CellBytes& cells) const;
+  CellPlanes rotate(const CellBytes& cells) const;
   /// For each cell the one that it comes from; kGridCells: from outside.
   const std::array<std::uint16_t, kGridCells>& from() const { return from_; }
 
@@ -35,9 +35,10 @@ class TurnTable {
   std::array<std::uint16_t, kGridCells> from_;
 };
 
-/// The grid turned by -`turns` to `turns` heading steps (kHeadingStep) in [0, kHalfCircle].
-std::vector<CellPlanes> turnedBySteps(const EvidenceGrid& grid, int turns);
+/// The grid rotated by -`rotations` to `rotations` heading steps (kHeadingStep) in [0,
+/// kHalfCircle].
+std::vector<CellPlanes> rotatedBySteps(const EvidenceGrid& grid, int rotations);
 
 }  // namespace place_memory::core
 
-#endif  // PLACE_MEMORY_CORE_KERNELS_TURN_TABLE_H
+#endif  // PLACE_MEMORY_CORE_KERNELS_ROTATION_TABLE_H

@@ -1,4 +1,4 @@
-#include "core/recognize/second_look.h"
+#include "core/recognize/rescoring.h"
 
 #include <gtest/gtest.h>
 
@@ -43,9 +43,9 @@ bool nearOccupied(const CellPlanes& cells, CellShift shift, int row, int column,
 }
 
 /// Cell by cell.
-CloseCounts naiveCounts(const CellPlanes& scan, CellShift shift, const CellPlanes& learned) {
-  CloseCounts counts;
-  const auto count = [&](NearCells cells, bool holds) {
+RescoringCounts naiveCounts(const CellPlanes& scan, CellShift shift, const CellPlanes& learned) {
+  RescoringCounts counts;
+  const auto count = [&](NearPairs cells, bool holds) {
     counts.near[static_cast<std::size_t>(cells)] += holds ? 1 : 0;
   };
   for (int row = 0; row < kGridSize; ++row) {
@@ -59,54 +59,54 @@ CloseCounts naiveCounts(const CellPlanes& scan, CellShift shift, const CellPlane
       const bool by_scan = nearOccupied(scan, shift, row, column, 1);
       const bool occupied = r == CellClass::kOccupied;
       const bool learned_occupied = l == CellClass::kOccupied;
-      count(NearCells::kOccupiedWithinOne, occupied && by_learned);
-      count(NearCells::kOccupiedWithinTwo, occupied && nearOccupied(learned, {}, row, column, 2));
-      count(NearCells::kLearnedOccupiedWithinOne, learned_occupied && by_scan);
-      count(NearCells::kLearnedOccupiedWithinTwo,
+      count(NearPairs::kOccupiedWithinOne, occupied && by_learned);
+      count(NearPairs::kOccupiedWithinTwo, occupied && nearOccupied(learned, {}, row, column, 2));
+      count(NearPairs::kLearnedOccupiedWithinOne, learned_occupied && by_scan);
+      count(NearPairs::kLearnedOccupiedWithinTwo,
             learned_occupied && nearOccupied(scan, shift, row, column, 2));
-      count(NearCells::kWithinOneOfBoth, by_scan && by_learned);
-      count(NearCells::kEmptyByOccupied, r == CellClass::kEmpty && by_learned);
-      count(NearCells::kOccupiedByEmpty, l == CellClass::kEmpty && by_scan);
+      count(NearPairs::kWithinOneOfBoth, by_scan && by_learned);
+      count(NearPairs::kEmptyByOccupied, r == CellClass::kEmpty && by_learned);
+      count(NearPairs::kOccupiedByEmpty, l == CellClass::kEmpty && by_scan);
     }
   }
   return counts;
 }
 
-TEST(CountClosely, EqualsTheCountCellByCell) {
+TEST(CountForRescoring, EqualsTheCountCellByCell) {
   const CellPlanes scan = randomCells(1), learned = randomCells(2);
   for (const CellShift shift :
        {CellShift{0, 0}, {3, -2}, {-9, 9}, {63, 0}, {0, -63}, {-31, 32}, {1, 1}}) {
-    const CloseCounts found = countClosely(scan, shift, learned);
-    const CloseCounts expected = naiveCounts(scan, shift, learned);
+    const RescoringCounts found = countForRescoring(scan, shift, learned);
+    const RescoringCounts expected = naiveCounts(scan, shift, learned);
     EXPECT_EQ(found.inner, expected.inner) << shift.columns << ", " << shift.rows;
     EXPECT_EQ(found.middle, expected.middle) << shift.columns << ", " << shift.rows;
     EXPECT_EQ(found.near, expected.near) << shift.columns << ", " << shift.rows;
   }
 }
 
-TEST(ScoreAgain, WeighsTheFirstScoreThePairsTheNearCellsAndTheFalloff) {
-  CloseCounts counts;
+TEST(Rescore, WeighsTheSearchScoreThePairsTheNearPairsAndThePeaksSharpness) {
+  RescoringCounts counts;
   counts.inner[2][2] = 7;
   counts.middle[0][1] = 3;
   counts.near[5] = 11;
-  SecondLook look;
-  look.first = 0.5;
-  look.inner[2][2] = 2.0;
-  look.middle[0][1] = 4.0;
-  look.near[5] = -1.0;
-  look.beside = -0.5;
-  look.turned = -2.0;
-  EXPECT_DOUBLE_EQ(scoreAgain(10.0, counts, {-6.0, -5.0}, look),
+  RescoringWeights weights;
+  weights.search_score = 0.5;
+  weights.inner[2][2] = 2.0;
+  weights.middle[0][1] = 4.0;
+  weights.near[5] = -1.0;
+  weights.peak_sharpness_shift = -0.5;
+  weights.peak_sharpness_rotation = -2.0;
+  EXPECT_DOUBLE_EQ(rescore(10.0, counts, {-6.0, -5.0}, weights),
                    5.0 + 14.0 + 12.0 - 11.0 + 3.0 + 10.0);
 }
 
-TEST(CombineLooks, ThoseNotLookedAtKeepTheirDistanceToTheLast) {
-  EXPECT_EQ(combineLooks({9.0, 8.0, 6.0, 5.0}, {1.0, 4.0}),
+TEST(CombineScores, ThoseNotRescoredKeepTheirDistanceToTheLast) {
+  EXPECT_EQ(combineScores({9.0, 8.0, 6.0, 5.0}, {1.0, 4.0}),
             (std::vector<double>{1.0, 4.0, -1.0, -2.0}));
 }
 
-TEST(CombineLooks, WhereAllWereLookedAtNothingIsLeft) {
-  EXPECT_EQ(combineLooks({9.0, 8.0}, {1.0, 4.0}), (std::vector<double>{1.0, 4.0}));
+TEST(CombineScores, WhereAllWereRescoredNothingIsLeft) {
+  EXPECT_EQ(combineScores({9.0, 8.0}, {1.0, 4.0}), (std::vector<double>{1.0, 4.0}));
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
-#include "core/kernels/cell_windows.h"
+#include "core/kernels/byte_tiles.h"
 
 #include <algorithm>
 #include <cstring>
+
+#include "core/kernels/cpu.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -11,7 +13,7 @@
 
 namespace place_memory::core {
 
-CellWindows::CellWindows(const BitPlane& plane) {
+ByteTiles::ByteTiles(const BitPlane& plane) {
   for (std::size_t column = 0; column < kGridSize; ++column) {
     std::uint8_t* const to = bytes_.data() + column * kStride;
     for (std::size_t row = 0; row < kGridSize; ++row) {
@@ -20,8 +22,8 @@ CellWindows::CellWindows(const BitPlane& plane) {
   }
 }
 
-WindowTable::WindowTable(const std::array<std::uint16_t, kGridCells>& from) {
-  for (std::size_t group = 0; group < window.size(); ++group) {
+TileTable::TileTable(const std::array<std::uint16_t, kGridCells>& from) {
+  for (std::size_t group = 0; group < tile.size(); ++group) {
     std::size_t first_row = kGridSize, first_column = kGridSize;
     for (std::size_t i = 8 * group; i < 8 * group + 8; ++i) {
       if (from[i] >= kGridCells) continue;
@@ -29,7 +31,7 @@ WindowTable::WindowTable(const std::array<std::uint16_t, kGridCells>& from) {
       first_column = std::min<std::size_t>(first_column, from[i] % kGridSize);
     }
     if (first_row == kGridSize) continue;
-    window[group] = static_cast<std::uint16_t>(first_column * CellWindows::kStride + first_row);
+    tile[group] = static_cast<std::uint16_t>(first_column * ByteTiles::kStride + first_row);
     for (std::size_t i = 8 * group; i < 8 * group + 8; ++i) {
       if (from[i] >= kGridCells) continue;
       const std::size_t row = from[i] / kGridSize - first_row;
@@ -41,34 +43,28 @@ WindowTable::WindowTable(const std::array<std::uint16_t, kGridCells>& from) {
 }
 
 #if defined(__x86_64__)
-bool turnsByWindows() {
-  static const bool here = [] {
-    __builtin_cpu_init();
-    return __builtin_cpu_supports("avx512bitalg") != 0;
-  }();
-  return here;
-}
+bool rotatesByTiles() { return chosenInstructionSet() >= InstructionSet::kAvx512; }
 
-[[PLACE_MEMORY_BITALG]] BitPlane turnByWindows(const CellWindows& plane, const WindowTable& table) {
-  BitPlane turned;
+[[PLACE_MEMORY_BITALG]] BitPlane rotateByTiles(const ByteTiles& plane, const TileTable& table) {
+  BitPlane rotated;
   const auto cells = [&](std::size_t group) {
-    long long window;
-    std::memcpy(&window, plane.data() + table.window[group], sizeof window);
-    return window;
+    long long tile;
+    std::memcpy(&tile, plane.data() + table.tile[group], sizeof tile);
+    return tile;
   };
-  // Loads of single windows are faster than a vector's gather.
+  // Loads of single tiles are faster than a vector's gather.
   for (std::size_t row = 0; row < kGridSize; ++row) {
-    const std::size_t first = row * WindowTable::kGroups;
-    const __m512i windows =
+    const std::size_t first = row * TileTable::kGroups;
+    const __m512i tiles =
         _mm512_set_epi64(cells(first + 7), cells(first + 6), cells(first + 5), cells(first + 4),
                          cells(first + 3), cells(first + 2), cells(first + 1), cells(first));
     const __m512i bits = _mm512_load_si512(table.bit.data() + row * kGridSize);
-    turned[row] = _mm512_bitshuffle_epi64_mask(windows, bits) & table.inside[row];
+    rotated[row] = _mm512_bitshuffle_epi64_mask(tiles, bits) & table.inside[row];
   }
-  return turned;
+  return rotated;
 }
 #else
-bool turnsByWindows() { return false; }
+bool rotatesByTiles() { return false; }
 #endif
 
 }  // namespace place_memory::core

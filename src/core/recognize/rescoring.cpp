@@ -1,4 +1,4 @@
-#include "core/recognize/second_look.h"
+#include "core/recognize/rescoring.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,8 +71,8 @@ PairCounts pairsInside(const BitPlane& region, const CellPlanes& scan, const Cel
 
 }  // namespace
 
-CloseCounts countClosely(const CellPlanes& recognition, CellShift shift,
-                         const CellPlanes& learned) {
+RescoringCounts countForRescoring(const CellPlanes& recognition, CellShift shift,
+                                  const CellPlanes& learned) {
   static const BitPlane kInner = ring(-1.0, kInnerRadius);
   static const BitPlane kMiddle = ring(kInnerRadius, kMiddleRadius);
   CellPlanes scan;
@@ -80,7 +80,7 @@ CloseCounts countClosely(const CellPlanes& recognition, CellShift shift,
   scan.empty = shifted(recognition.empty, shift);
   const BitPlane scan_one = widened(scan.occupied), scan_two = widened(scan_one);
   const BitPlane learned_one = widened(learned.occupied), learned_two = widened(learned_one);
-  CloseCounts counts;
+  RescoringCounts counts;
   counts.inner = pairsInside(kInner, scan, learned);
   counts.middle = pairsInside(kMiddle, scan, learned);
   const PlaneCounts by_learned = countCells(scan.occupied, scan.empty, learned_one, learned_two);
@@ -94,22 +94,23 @@ CloseCounts countClosely(const CellPlanes& recognition, CellShift shift,
   return counts;
 }
 
-double scoreAgain(double first_score, const CloseCounts& counts, const Falloff& falloff,
-                  const SecondLook& look) {
-  double score = look.first * first_score + pairScore(counts.inner, look.inner) +
-                 pairScore(counts.middle, look.middle) + look.beside * falloff.beside +
-                 look.turned * falloff.turned;
-  for (std::size_t i = 0; i < kNearCells; ++i) score += counts.near[i] * look.near[i];
+double rescore(double search_score, const RescoringCounts& counts, const PeakSharpness& sharpness,
+               const RescoringWeights& weights) {
+  double score = weights.search_score * search_score + pairScore(counts.inner, weights.inner) +
+                 pairScore(counts.middle, weights.middle) +
+                 weights.peak_sharpness_shift * sharpness.shift +
+                 weights.peak_sharpness_rotation * sharpness.rotation;
+  for (std::size_t i = 0; i < kNearPairs; ++i) score += counts.near[i] * weights.near[i];
   return score;
 }
 
-std::vector<double> combineLooks(const std::vector<double>& first,
-                                 const std::vector<double>& again) {
-  std::vector<double> scores = again;
-  const double last = first[again.size() - 1];
-  const double least = *std::min_element(again.begin(), again.end());
-  for (std::size_t i = again.size(); i < first.size(); ++i) {
-    scores.push_back(least + first[i] - last);
+std::vector<double> combineScores(const std::vector<double>& search,
+                                  const std::vector<double>& rescored) {
+  std::vector<double> scores = rescored;
+  const double last = search[rescored.size() - 1];
+  const double least = *std::min_element(rescored.begin(), rescored.end());
+  for (std::size_t i = rescored.size(); i < search.size(); ++i) {
+    scores.push_back(least + search[i] - last);
   }
   return scores;
 }

@@ -1,0 +1,15 @@
+#include "config/memory_options.h"
+
+namespace place_memory::config {
+
+core::PlaceMemoryOptions memoryOptions(const Parameters& parameters) {
+  core::PlaceMemoryOptions options;
+  options.store_path = parameters.store;
+  options.cell_size = parameters.grid.cell_size;
+  options.recognizer = parameters.match.recognizer;
+  options.adaptation = parameters.places;
+  options.sonar = parameters.sonar;
+  return options;
+}
+
+}  // namespace place_memory::config
