@@ -28,11 +28,45 @@ macro(place_memory_add_ros_target)
   add_dependencies(place_memory_ros ${PROJECT_NAME}_generate_messages_cpp)
 endmacro()
 
-# place_memory_install(<target>...): libraries into lib, executables into lib/place_memory.
+# place_memory_install(<target>...): executables, into lib/place_memory.
 function(place_memory_install)
-  install(TARGETS ${ARGN}
-    ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+  install(TARGETS ${ARGN} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+endfunction()
+
+# place_memory_internal(<target>...): static libraries with all that other parts of this package and
+# its tests link. What they are made of goes into shared libraries too, in which only what is marked
+# PLACE_MEMORY_PUBLIC can be seen.
+function(place_memory_internal)
+  set_target_properties(${ARGN} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON
+  )
+endfunction()
+
+# place_memory_add_shared(<part> <PUBLIC|PRIVATE target>...): the library for other packages, of the
+# objects of the part's static library `place_memory_<part>`. It links the targets. Other packages
+# call it place_memory::<part>.
+function(place_memory_add_shared part)
+  set(target place_memory_${part}_shared)
+  add_library(${target} SHARED $<TARGET_OBJECTS:place_memory_${part}>)
+  target_include_directories(${target} INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:include>
+  )
+  target_compile_features(${target} INTERFACE cxx_std_17)
+  target_link_libraries(${target} ${ARGN})
+  target_link_options(${target} PRIVATE -Wl,--exclude-libs,ALL)
+  # Before 1.0 a minor version may change what is linked.
+  set_target_properties(${target} PROPERTIES
+    LINKER_LANGUAGE CXX
+    OUTPUT_NAME place_memory_${part}
+    EXPORT_NAME ${part}
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+  )
+  add_library(place_memory::${part} ALIAS ${target})
+  install(TARGETS ${target} EXPORT place_memory-targets
     LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
-    RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION}
   )
 endfunction()

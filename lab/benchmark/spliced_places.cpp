@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/robot/random.h"
+#include "sim/world/random.h"
 
 namespace place_memory::measure {
 namespace {

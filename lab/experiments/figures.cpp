@@ -5,7 +5,7 @@
 
 #include "experiments/recipes.h"
 #include "place_memory/core/sonar_model.h"
-#include "sim/world/world_changes.h"
+#include "sim/scene/world_changes.h"
 
 namespace place_memory::experiments {
 namespace {

@@ -1,6 +1,6 @@
 #include "experiments/experiment.h"
 #include "experiments/recipes.h"
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_loader.h"
 
 namespace place_memory::experiments {
 namespace {

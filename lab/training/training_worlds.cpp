@@ -1,8 +1,8 @@
 #include "training/training_worlds.h"
 
 #include "sim/building/building_generator.h"
-#include "sim/robot/random.h"
 #include "sim/robot/random_robot.h"
+#include "sim/world/random.h"
 #include "trials/simulated_trials.h"
 
 namespace place_memory::training {

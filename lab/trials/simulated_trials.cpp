@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/robot/crowd.h"
-#include "sim/robot/random.h"
+#include "sim/scene/crowd.h"
 #include "sim/scene/scene.h"
-#include "sim/world/world_changes.h"
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_changes.h"
+#include "sim/scene/world_loader.h"
+#include "sim/world/random.h"
 
 namespace place_memory::trials {
 namespace {

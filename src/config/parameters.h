@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/grid/grid_fusion.h"
+#include "place_memory/core/adaptation_options.h"
 #include "place_memory/core/grid_geometry.h"
 #include "place_memory/core/pose2d.h"
 #include "place_memory/core/recognizer_options.h"

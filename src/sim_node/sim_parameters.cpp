@@ -6,7 +6,7 @@
 #include "config/parameter_reader.h"
 #include "node/parameter_server.h"
 #include "place_memory/config/parameter_error.h"
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_loader.h"
 
 namespace place_memory::sim_node {
 namespace {

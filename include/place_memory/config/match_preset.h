@@ -6,6 +6,7 @@
 
 #include "place_memory/config/parameter_error.h"
 #include "place_memory/core/recognizer_options.h"
+#include "place_memory/export.h"
 
 namespace place_memory::config {
 
@@ -18,7 +19,7 @@ struct MatchPreset {
 
 /// A preset of the package by its name, `evidence` or `paper` (config/presets), otherwise that of
 /// the file with this path. Throws ParameterError with everything that is wrong with the file.
-MatchPreset loadPreset(const std::string& name_or_path);
+PLACE_MEMORY_PUBLIC MatchPreset loadPreset(const std::string& name_or_path);
 
 }  // namespace place_memory::config
 

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "place_memory/export.h"
+
 namespace place_memory::config {
 
 /// Parameters that cannot be used: one line for each problem.
-class ParameterError : public std::runtime_error {
+class PLACE_MEMORY_PUBLIC ParameterError : public std::runtime_error {
  public:
   explicit ParameterError(std::vector<std::string> problems);
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/grid/grid_fusion.h"
+#include "place_memory/core/adaptation_options.h"
 #include "place_memory/core/map_change.h"
 #include "place_memory/core/recognition.h"
 #include "place_memory/core/recognizer_options.h"
@@ -19,11 +19,12 @@
 #include "place_memory/core/sonar_model.h"
 #include "place_memory/core/store_opening.h"
 #include "place_memory/core/whereabouts.h"
+#include "place_memory/export.h"
 
 namespace place_memory::core {
 
 /// Why the memory refused what it was asked for; what() says it in a sentence.
-class PlaceMemoryError : public std::runtime_error {
+class PLACE_MEMORY_PUBLIC PlaceMemoryError : public std::runtime_error {
  public:
   enum class Reason {
     kLabelTaken,
@@ -77,7 +78,7 @@ struct StoreHealth {
 /// Thread-safe. Changes are made one after the other on a thread of the memory's, each in the
 /// store, the map and the index or in none of them; who asks for one waits until it is kept. Nobody
 /// else waits for the disk or for a match.
-class PlaceMemory {
+class PLACE_MEMORY_PUBLIC PlaceMemory {
  public:
   /// What came of learning a place.
   struct Learned {

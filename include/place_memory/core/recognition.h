@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "place_memory/core/place.h"
+#include "place_memory/core/place_id.h"
 #include "place_memory/core/pose2d.h"
 
 namespace place_memory::core {

@@ -6,6 +6,7 @@
 
 #include "place_memory/core/evidence_grid.h"
 #include "place_memory/core/sonar_reading.h"
+#include "place_memory/export.h"
 
 namespace place_memory::core {
 
@@ -24,7 +25,7 @@ struct SonarModelOptions {
 /// those behind it are left alone. Where the arc of the echo is wider than three cells, its
 /// evidence falls with the root of the width. A cone that is narrower than a cell still touches the
 /// cells it passes.
-class SonarModel {
+class PLACE_MEMORY_PUBLIC SonarModel {
  public:
   /// Throws std::invalid_argument naming the option that is out of range.
   explicit SonarModel(const SonarModelOptions& options);

@@ -1,21 +1,9 @@
 #ifndef PLACE_MEMORY_CORE_GRID_GRID_FUSION_H
 #define PLACE_MEMORY_CORE_GRID_GRID_FUSION_H
 
-#include <vector>
-
 #include "place_memory/core/evidence_grid.h"
-#include "place_memory/core/pose2d.h"
-#include "place_memory/core/sonar_reading.h"
 
 namespace place_memory::core {
-
-/// Whether and how a learned grid follows lasting changes of its place, so that no early state of
-/// the world is frozen into it (paper 3.1.2).
-struct AdaptationOptions {
-  bool enabled = false;
-  /// Share of the old evidence that a cell keeps each time it is sensed again, in [0, 1).
-  double retention = 0.7;
-};
 
 /// Adds a scan's evidence to a learned grid of the same geometry. In cells that the scan sensed old
 /// evidence fades to its share `retention`, in [0, 1), before; the others stay.

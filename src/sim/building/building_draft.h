@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/building/wall_plan.h"
-#include "sim/robot/random.h"
+#include "sim/world/random.h"
 #include "sim/world/world.h"
 
 namespace place_memory::sim {

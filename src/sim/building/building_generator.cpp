@@ -6,7 +6,7 @@
 #include "sim/building/building_plans.h"
 #include "sim/building/furnisher.h"
 #include "sim/building/place_layout.h"
-#include "sim/robot/random.h"
+#include "sim/world/random.h"
 #include "sim/world/world_transform.h"
 
 namespace place_memory::sim {

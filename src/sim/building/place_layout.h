@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/building/building_draft.h"
-#include "sim/robot/random.h"
+#include "sim/world/random.h"
 #include "sim/world/world.h"
 
 namespace place_memory::sim {

@@ -2,8 +2,8 @@
 #define PLACE_MEMORY_SIM_ROBOT_SIMULATED_BASE_H
 
 #include "place_memory/core/pose2d.h"
-#include "sim/robot/random.h"
 #include "sim/scene/scene.h"
+#include "sim/world/random.h"
 
 namespace place_memory::sim {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/world/world_changes.h"
+#include "sim/scene/world_changes.h"
 
 namespace place_memory::sim {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/robot/crowd.h"
-#include "sim/robot/random.h"
 #include "sim/robot/simulated_base.h"
+#include "sim/scene/crowd.h"
 #include "sim/scene/scene.h"
 #include "sim/senses/compass_field.h"
 #include "sim/senses/simulated_scan.h"
+#include "sim/world/random.h"
 #include "sim/world/world.h"
 
 namespace place_memory::sim {

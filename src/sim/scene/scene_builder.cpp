@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/building/segment_joints.h"
+#include "sim/scene/segment_joints.h"
 
 namespace place_memory::sim {
 

@@ -1,7 +1,7 @@
 #include "sim/senses/compass_field.h"
 
 #include "place_memory/core/pose2d.h"
-#include "sim/robot/random.h"
+#include "sim/world/random.h"
 
 namespace place_memory::sim {
 

@@ -5,8 +5,8 @@
 
 #include "place_memory/core/pose2d.h"
 #include "place_memory/core/sonar_reading.h"
-#include "sim/robot/random.h"
 #include "sim/scene/scene.h"
+#include "sim/world/random.h"
 
 namespace place_memory::sim {
 

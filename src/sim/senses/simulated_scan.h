@@ -5,10 +5,10 @@
 
 #include "place_memory/core/pose2d.h"
 #include "place_memory/core/sonar_reading.h"
-#include "sim/robot/crowd.h"
-#include "sim/robot/random.h"
+#include "sim/scene/crowd.h"
 #include "sim/scene/scene.h"
 #include "sim/senses/sonar_physics.h"
+#include "sim/world/random.h"
 
 namespace place_memory::sim {
 

@@ -1,10 +1,10 @@
-#ifndef PLACE_MEMORY_SIM_ROBOT_PERSON_H
-#define PLACE_MEMORY_SIM_ROBOT_PERSON_H
+#ifndef PLACE_MEMORY_SIM_SCENE_PERSON_H
+#define PLACE_MEMORY_SIM_SCENE_PERSON_H
 
 #include <cstddef>
 #include <vector>
 
-#include "sim/robot/random.h"
+#include "sim/world/random.h"
 #include "sim/world/vec2.h"
 
 namespace place_memory::sim {
@@ -40,4 +40,4 @@ class Person {
 
 }  // namespace place_memory::sim
 
-#endif  // PLACE_MEMORY_SIM_ROBOT_PERSON_H
+#endif  // PLACE_MEMORY_SIM_SCENE_PERSON_H

@@ -1,5 +1,5 @@
-#ifndef PLACE_MEMORY_SIM_WORLD_WORLD_LOADER_H
-#define PLACE_MEMORY_SIM_WORLD_WORLD_LOADER_H
+#ifndef PLACE_MEMORY_SIM_SCENE_WORLD_LOADER_H
+#define PLACE_MEMORY_SIM_SCENE_WORLD_LOADER_H
 
 #include <stdexcept>
 #include <string>
@@ -31,4 +31,4 @@ constexpr double kPlaceClearance = 0.3;
 
 }  // namespace place_memory::sim
 
-#endif  // PLACE_MEMORY_SIM_WORLD_WORLD_LOADER_H
+#endif  // PLACE_MEMORY_SIM_SCENE_WORLD_LOADER_H

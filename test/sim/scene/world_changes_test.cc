@@ -1,9 +1,9 @@
-#include "sim/world/world_changes.h"
+#include "sim/scene/world_changes.h"
 
 #include <gtest/gtest.h>
 
+#include "sim/scene/world_loader.h"
 #include "sim/senses/simulated_scan.h"
-#include "sim/world/world_loader.h"
 
 namespace place_memory::sim {
 namespace {

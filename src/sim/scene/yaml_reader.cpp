@@ -1,10 +1,10 @@
-#include "sim/world/yaml_reader.h"
+#include "sim/scene/yaml_reader.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_loader.h"
 
 namespace place_memory::sim {
 

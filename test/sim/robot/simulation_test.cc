@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_loader.h"
 
 namespace place_memory::sim {
 namespace {

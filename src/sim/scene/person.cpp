@@ -1,4 +1,4 @@
-#include "sim/robot/person.h"
+#include "sim/scene/person.h"
 
 namespace place_memory::sim {
 

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "sim/robot/random_robot.h"
+#include "sim/scene/world_loader.h"
 #include "sim/senses/simulated_scan.h"
-#include "sim/world/world_loader.h"
 
 namespace place_memory::sim {
 namespace {

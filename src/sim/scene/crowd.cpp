@@ -1,4 +1,4 @@
-#include "sim/robot/crowd.h"
+#include "sim/scene/crowd.h"
 
 namespace place_memory::sim {
 

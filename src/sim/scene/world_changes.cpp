@@ -1,11 +1,11 @@
-#include "sim/world/world_changes.h"
+#include "sim/scene/world_changes.h"
 
 #include <algorithm>
 #include <vector>
 
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_builder.h"
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_loader.h"
 
 namespace place_memory::sim {
 

@@ -1,12 +1,12 @@
-#ifndef PLACE_MEMORY_SIM_ROBOT_CROWD_H
-#define PLACE_MEMORY_SIM_ROBOT_CROWD_H
+#ifndef PLACE_MEMORY_SIM_SCENE_CROWD_H
+#define PLACE_MEMORY_SIM_SCENE_CROWD_H
 
 #include <cstddef>
 #include <vector>
 
-#include "sim/robot/person.h"
-#include "sim/robot/random.h"
+#include "sim/scene/person.h"
 #include "sim/scene/scene.h"
+#include "sim/world/random.h"
 #include "sim/world/world.h"
 
 namespace place_memory::sim {
@@ -37,4 +37,4 @@ class Crowd {
 
 }  // namespace place_memory::sim
 
-#endif  // PLACE_MEMORY_SIM_ROBOT_CROWD_H
+#endif  // PLACE_MEMORY_SIM_SCENE_CROWD_H

@@ -1,5 +1,5 @@
-#ifndef PLACE_MEMORY_SIM_BUILDING_SEGMENT_JOINTS_H
-#define PLACE_MEMORY_SIM_BUILDING_SEGMENT_JOINTS_H
+#ifndef PLACE_MEMORY_SIM_SCENE_SEGMENT_JOINTS_H
+#define PLACE_MEMORY_SIM_SCENE_SEGMENT_JOINTS_H
 
 #include <vector>
 
@@ -13,4 +13,4 @@ void joinSegments(std::vector<Segment>& segments);
 
 }  // namespace place_memory::sim
 
-#endif  // PLACE_MEMORY_SIM_BUILDING_SEGMENT_JOINTS_H
+#endif  // PLACE_MEMORY_SIM_SCENE_SEGMENT_JOINTS_H

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "sim/building/building_generator.h"
-#include "sim/robot/random.h"
+#include "sim/world/random.h"
 
 namespace place_memory::sim {
 namespace {

@@ -1,5 +1,5 @@
-#ifndef PLACE_MEMORY_SIM_WORLD_YAML_READER_H
-#define PLACE_MEMORY_SIM_WORLD_YAML_READER_H
+#ifndef PLACE_MEMORY_SIM_SCENE_YAML_READER_H
+#define PLACE_MEMORY_SIM_SCENE_YAML_READER_H
 
 #include <yaml-cpp/yaml.h>
 
@@ -50,4 +50,4 @@ class YamlReader {
 
 }  // namespace place_memory::sim
 
-#endif  // PLACE_MEMORY_SIM_WORLD_YAML_READER_H
+#endif  // PLACE_MEMORY_SIM_SCENE_YAML_READER_H

@@ -1,9 +1,9 @@
-#ifndef PLACE_MEMORY_SIM_WORLD_WORLD_CHANGES_H
-#define PLACE_MEMORY_SIM_WORLD_WORLD_CHANGES_H
+#ifndef PLACE_MEMORY_SIM_SCENE_WORLD_CHANGES_H
+#define PLACE_MEMORY_SIM_SCENE_WORLD_CHANGES_H
 
 #include <string>
 
-#include "sim/robot/random.h"
+#include "sim/world/random.h"
 #include "sim/world/world.h"
 
 namespace place_memory::sim {
@@ -40,4 +40,4 @@ bool moveChair(World& world, const std::string& name, const core::Pose2d& pose);
 
 }  // namespace place_memory::sim
 
-#endif  // PLACE_MEMORY_SIM_WORLD_WORLD_CHANGES_H
+#endif  // PLACE_MEMORY_SIM_SCENE_WORLD_CHANGES_H

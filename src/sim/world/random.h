@@ -1,5 +1,5 @@
-#ifndef PLACE_MEMORY_SIM_ROBOT_RANDOM_H
-#define PLACE_MEMORY_SIM_ROBOT_RANDOM_H
+#ifndef PLACE_MEMORY_SIM_WORLD_RANDOM_H
+#define PLACE_MEMORY_SIM_WORLD_RANDOM_H
 
 #include <cmath>
 #include <cstddef>
@@ -55,4 +55,4 @@ void shuffle(std::vector<T>& items, Rng& rng) {
 
 }  // namespace place_memory::sim
 
-#endif  // PLACE_MEMORY_SIM_ROBOT_RANDOM_H
+#endif  // PLACE_MEMORY_SIM_WORLD_RANDOM_H

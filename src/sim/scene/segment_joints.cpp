@@ -1,4 +1,4 @@
-#include "sim/building/segment_joints.h"
+#include "sim/scene/segment_joints.h"
 
 namespace place_memory::sim {
 

@@ -1,11 +1,11 @@
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_loader.h"
 
 #include <fstream>
 #include <iterator>
 #include <set>
 
 #include "sim/scene/scene.h"
-#include "sim/world/yaml_reader.h"
+#include "sim/scene/yaml_reader.h"
 
 namespace place_memory::sim {
 

@@ -1,4 +1,4 @@
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_loader.h"
 
 #include <gtest/gtest.h>
 

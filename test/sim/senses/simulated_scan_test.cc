@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/robot/random_robot.h"
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_loader.h"
 
 namespace place_memory::sim {
 namespace {
