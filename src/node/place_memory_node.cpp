@@ -3,10 +3,10 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/console.h>
 
-#include <filesystem>
 #include <utility>
 
 #include "config/memory_options.h"
+#include "core/store/store_file.h"
 #include "node/answer/answer_words.h"
 #include "node/conversions.h"
 #include "node/input/sensor_placement.h"
@@ -71,21 +71,23 @@ void PlaceMemoryNode::setUpDiagnostics() {
   // On the thread of the other one, because the updater may be asked by one at a time.
   health_timer_ = names_.createSteadyTimer(
       kAtOnce, [this](const ros::SteadyTimerEvent&) { diagnostics_.force_update(); }, true, false);
-  memory_->watchStore([this](const core::StoreHealth& health) {
-    if (health.ok) {
-      ROS_INFO("The store can be written again");
-    } else {
-      ROS_ERROR("The store: %s", health.problem.c_str());
-    }
-    health_timer_.stop();
-    health_timer_.start();
-  });
+  memory_->watchStore(
+      [this, was_ok = memory_->storeHealth().ok](const core::StoreHealth& health) mutable {
+        if (!health.ok) ROS_ERROR("The map cannot be changed: %s", health.problem.c_str());
+        if (health.ok && !was_ok) ROS_INFO("The map can be changed again");
+        was_ok = health.ok;
+        health_timer_.stop();
+        health_timer_.start();
+      });
 }
 
 void PlaceMemoryNode::sayWhatIsKnown() const {
   const bool is_kept = !parameters_.store.empty() && store_problem_.empty();
   ROS_INFO("%s known, kept in %s", placesInWords(memory_->size()).c_str(),
-           is_kept ? std::filesystem::absolute(parameters_.store).c_str() : "memory only");
+           is_kept ? core::storePath(parameters_.store).c_str() : "memory only");
+  const core::StoreHealth health = memory_->storeHealth();
+  if (!health.ok) ROS_ERROR("The map cannot be changed: %s", health.problem.c_str());
+  for (const std::string& sentence : health.set_aside) ROS_WARN("Left out: %s", sentence.c_str());
 }
 
 void PlaceMemoryNode::onDiagnosticsTimer() {

@@ -150,7 +150,7 @@ class LiveMapTest(live_test.LiveTestCase):
                                   ("place_markers", MarkerArray, markers)):
             subscriber = rospy.Subscriber(self.node.name + "/" + topic, kind, came.append)
             self.addCleanup(subscriber.unregister)
-        self.wait(lambda: graphs and markers, "the map")
+        self.wait(lambda: graphs and graphs[-1].places and markers, "the map")
         begin = time.monotonic()
         label = "hall"
         for i in range(RENAMES):
@@ -248,7 +248,7 @@ class LiveFrameTest(live_test.LiveTestCase):
     def broadcast(self):
         """The newest transform that the node sends from now on."""
         del self.transforms[:]
-        self.run_robot(lambda: self.transforms, "the transform")
+        self.run_robot(lambda: len(self.transforms) > 2, "the transform")
         newest = self.transforms[-1]
         self.assertEqual(newest.child_frame_id, "odom")
         rotation = newest.transform.rotation

@@ -15,9 +15,13 @@ void diagnoseMemory(std::size_t places, const core::StoreHealth& health,
     status.summary(DiagnosticStatus::ERROR,
                    "the map cannot be changed, the last change was refused: " + health.problem +
                        "; once that is mended, ask for the change again");
+  } else if (!health.set_aside.empty()) {
+    status.summary(DiagnosticStatus::WARN,
+                   count + "; damaged in the store, and left out: " + health.set_aside.front());
   } else {
     status.summary(DiagnosticStatus::OK, count);
   }
+  for (const std::string& sentence : health.set_aside) status.add("left out", sentence);
   status.add("places", places);
   status.add("store", store_path.empty() ? "in memory only" : store_path);
 }

@@ -11,7 +11,8 @@
 namespace place_memory::node {
 
 /// The number of places, and how the store is. ERROR where it is not used, for the reason
-/// `store_problem`, and for as long as the newest change could not be written.
+/// `store_problem`, for as long as the newest change could not be
+/// written; WARN where something in it is damaged, a sentence each.
 void diagnoseMemory(std::size_t places, const core::StoreHealth& health,
                     const std::string& store_path, const std::string& store_problem,
                     diagnostic_updater::DiagnosticStatusWrapper& status);

@@ -36,5 +36,15 @@ TEST(DiagnoseMemory, AStoreThatFailsLaterIsAnErrorUntilItRecovers) {
   EXPECT_NE(status.message.find("the disk is full"), std::string::npos);
 }
 
+TEST(DiagnoseMemory, WhatIsDamagedIsAWarningThatNamesIt) {
+  core::StoreHealth health;
+  health.set_aside = {"place 3 is damaged", "place 5 is damaged"};
+  const DiagnosticStatusWrapper status = diagnose(health, "");
+  EXPECT_EQ(status.level, DiagnosticStatus::WARN);
+  EXPECT_NE(status.message.find("place 3 is damaged"), std::string::npos);
+  EXPECT_EQ(status.values.front().value, "place 3 is damaged");
+  EXPECT_EQ(status.values.at(1).value, "place 5 is damaged");
+}
+
 }  // namespace
 }  // namespace place_memory::node
