@@ -6,8 +6,12 @@
 #include <exception>
 #include <utility>
 
+#include "node/ros_time.h"
+
 namespace place_memory::node {
 namespace {
+
+constexpr std::chrono::nanoseconds kPeriod = std::chrono::seconds(5);  // of saying it
 
 using Report = std::function<void(const std::string& what)>;
 
@@ -43,15 +47,17 @@ void GuardedQueue::addCallback(const ros::CallbackInterfacePtr& callback,
                                   removal_id);
 }
 
-void GuardedQueue::report(const std::string& what) const {
-  constexpr double kPeriod = 5.0;  // [s]
-  ROS_ERROR_THROTTLE(kPeriod, "%s: an error in the node was caught: %s", work_.c_str(),
-                     what.c_str());
+void GuardedQueue::report(const std::string& what) {
+  // Not throttled by ROS time, which may be what is wrong.
+  const std::int64_t now = steadyNow() / kPeriod;
+  if (said_.exchange(now) != now) {
+    ROS_ERROR("%s: an error in the node was caught: %s", work_.c_str(), what.c_str());
+  }
   if (!on_error_) return;
   try {
     on_error_(what);
   } catch (const std::exception& error) {
-    ROS_ERROR_THROTTLE(kPeriod, "%s: another one followed: %s", work_.c_str(), error.what());
+    ROS_ERROR("%s: another one followed: %s", work_.c_str(), error.what());
   }
 }
 

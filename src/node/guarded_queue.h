@@ -3,6 +3,7 @@
 
 #include <ros/callback_queue.h>
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -25,10 +26,11 @@ class GuardedQueue : public ros::CallbackQueue {
                    std::uint64_t removal_id = 0) override;
 
  private:
-  void report(const std::string& what) const;
+  void report(const std::string& what);
 
   std::string work_;
   OnError on_error_;
+  std::atomic<std::int64_t> said_{-1};  // when, in whole periods of a clock that nobody sets
 };
 
 }  // namespace place_memory::node

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -52,6 +53,8 @@ void run() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // What is said is to be read at once, in a file or by another program too.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   ros::init(argc, argv, "place_memory", ros::init_options::NoSigintHandler);
   try {
     run();

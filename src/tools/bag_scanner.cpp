@@ -112,7 +112,7 @@ node::ScanOutcome BagScanner::scan(const ros::Time& start, const ros::Time& end)
       if (!moved) continue;
       for (const auto& transform : moved->transforms) {
         const auto problem = node::addTransform(transform, false, received, transforms);
-        if (problem) collector.noteProblem(*problem);
+        if (problem) collector.noteProblem("tf", *problem);
       }
     } else if (topic == heading_topic_) {
       // Without odometry those after the end serve readings that still wait for the next heading.

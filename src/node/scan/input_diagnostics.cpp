@@ -99,7 +99,7 @@ void diagnoseCompass(const InputHealth& health, Status& status) {
   } else if (compass.left_out > 0) {
     status.summary(Level::WARN, std::to_string(compass.left_out) + " of " +
                                     std::to_string(compass.messages) +
-                                    " headings of the last 10 s are left out; " + compass.problem);
+                                    " headings of the last 10 s are left out: " + compass.problem);
   }
   status.add("topic", topic);
   status.add("rate", rate(compass.messages));

@@ -15,6 +15,10 @@ constexpr std::chrono::nanoseconds kLately = std::chrono::seconds(2);
 // Nothing takes so long from a sensor to here: its clock is wrong.
 constexpr std::chrono::nanoseconds kLongAgo = std::chrono::seconds(1);
 
+// Inputs to which problems belong, beside the sensors by their names.
+constexpr char kCompass[] = "compass";
+constexpr char kLocation[] = "location";
+
 std::chrono::nanoseconds latestCredible(std::chrono::nanoseconds received) {
   return received + core::kMaxDisorder;
 }
@@ -54,15 +58,15 @@ void ScanCollector::drop() {
   compass_offset_ = {};
   rejected_.fill(0);
   closed_ = false;
-  scan_problem_.clear();
+  scan_problems_.clear();
 }
 
 void ScanCollector::addHeading(const sensor_msgs::Imu& message, std::chrono::nanoseconds received) {
   time_.observe(received);
   compass_health_.noteMessage(time_.passed());
   if (const auto problem = keepHeading(message, received)) {
-    noteProblem("heading left out: " + *problem);
-    compass_health_.noteLeftOut(problem_, time_.passed());
+    noteProblem(kCompass, "heading left out: " + *problem);
+    compass_health_.noteLeftOut(*problem, time_.passed());
   }
 }
 
@@ -80,7 +84,7 @@ std::optional<std::string> ScanCollector::keepHeading(const sensor_msgs::Imu& me
   }
   if (order == core::TimeOrder::kLate || !collecting()) return std::nullopt;
   const std::chrono::nanoseconds age = received - stamp;
-  if (age > kLongAgo) scan_problem_ = "headings are" + isTheClockRight(age);
+  if (age > kLongAgo) noteProblem(kCompass, "headings are" + isTheClockRight(age));
   if (locator_.usesOdometry() && stamp >= start_) {
     compass_offset_.add(stamp, received + wait_, heading.yaw);
   }
@@ -118,14 +122,13 @@ void ScanCollector::checkStamp(AdaptedReading& reading, std::chrono::nanoseconds
   const core::TimeOrder order = newest_stamps_.note(measurement.sensor, credible);
   if (reading.reject) return;
   const std::chrono::nanoseconds age = received - measurement.stamp;
+  const std::string name = registry_.nameOf(measurement.sensor);
   if (order == core::TimeOrder::kBackwards) {
     const auto behind = newest_stamps_.newest(measurement.sensor) - measurement.stamp;
-    noteProblem("reading of " + registry_.nameOf(measurement.sensor) +
-                " left out: " + behindTheNewest(behind));
+    noteProblem(name, "reading of " + name + " left out: " + behindTheNewest(behind));
     reading.reject = Reject::kOld;
   } else if (collecting() && !closed_ && measurement.stamp < start_ && age > kLongAgo) {
-    noteProblem("readings of " + registry_.nameOf(measurement.sensor) + " are" +
-                isTheClockRight(age));
+    noteProblem(name, "readings of " + name + " are" + isTheClockRight(age));
     reading.reject = Reject::kOld;
   }
 }
@@ -192,12 +195,15 @@ void ScanCollector::process(std::chrono::nanoseconds now) {
       waiting.push_back(std::move(pending));
     } else {
       reject(pending.measurement.sensor, *located.reject);
-      if (!located.problem.empty()) noteProblem("reading left out: " + located.problem);
+      if (!located.problem.empty()) noteProblem(kLocation, "reading left out: " + located.problem);
     }
   }
   pending_.swap(waiting);
 }
 
-std::string ScanCollector::takeProblem() { return std::exchange(problem_, {}); }
+void ScanCollector::noteProblem(const std::string& input, const std::string& sentence) {
+  problems_.note(input, sentence);
+  if (collecting()) scan_problems_.note(input, sentence);
+}
 
 }  // namespace place_memory::node

@@ -19,6 +19,7 @@
 #include "node/input/adapted_reading.h"
 #include "node/input/sensor_registry.h"
 #include "node/scan/compass_health.h"
+#include "node/scan/problem_list.h"
 #include "node/scan/reading_locator.h"
 #include "node/scan/scan_status.h"
 #include "node/scan/sensor_health.h"
@@ -87,10 +88,10 @@ class ScanCollector {
   }
   CompassHealth compassHealth() const { return compass_health_.report(time_.passed()); }
 
-  /// Notes what is wrong with an input, in a sentence, for the scan and for takeProblem().
-  void noteProblem(const std::string& problem) { problem_ = scan_problem_ = problem; }
-  /// Problem with an input since the last call, in a sentence; empty: none.
-  std::string takeProblem();
+  /// What is wrong with inputs since problems().clear(), scan or no scan.
+  ProblemList& problems() { return problems_; }
+  /// Notes what is wrong with an input, in a sentence, for the scan too.
+  void noteProblem(const std::string& input, const std::string& sentence);
 
  private:
   struct Pending {
@@ -120,7 +121,7 @@ class ScanCollector {
   SensorHealthTable health_;
   CompassHealthCount compass_health_;
   core::NewestStamps newest_stamps_;
-  std::string problem_;
+  ProblemList problems_;
 
   // Of the scan that is under way.
   std::optional<core::SweepBuilder> sweep_;
@@ -130,7 +131,7 @@ class ScanCollector {
   core::CompassOffset compass_offset_;
   RejectCounts rejected_{};
   bool closed_ = false;
-  std::string scan_problem_;  // the latest
+  ProblemList scan_problems_;
 };
 
 }  // namespace place_memory::node

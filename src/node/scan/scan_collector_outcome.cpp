@@ -17,7 +17,7 @@ ScanOutcome ScanCollector::outcome(std::chrono::nanoseconds end) const {
             "no heading came on " + parameters_.heading_topic +
                 ": a scan needs the compass, or whatever stands in for it, since its grid lies "
                 "along compass north" +
-                (scan_problem_.empty() ? "" : "; " + scan_problem_),
+                (scan_problems_.empty() ? "" : "; " + scan_problems_.inWords()),
             nullptr,
             {}};
   }
@@ -26,7 +26,7 @@ ScanOutcome ScanCollector::outcome(std::chrono::nanoseconds end) const {
   text << readings() << " readings at " << sweep_->coverage().headings() << " headings"
        << leftOut();
   return {ScanStatus::kSucceeded, text.str(), std::make_shared<const core::Scan>(std::move(*scan)),
-          scan_problem_};
+          scan_problems_.inWords()};
 }
 
 std::optional<core::Scan> ScanCollector::snapshot(std::chrono::nanoseconds end) const {
@@ -76,7 +76,7 @@ ScanOutcome ScanCollector::tooFew() const {
     text << "; is anything published on " << boost::algorithm::join(parameters_.sonar_topics, ", ")
          << "?";
   }
-  if (!scan_problem_.empty()) text << "; " << scan_problem_;
+  if (!scan_problems_.empty()) text << "; " << scan_problems_.inWords();
   return {status, text.str(), nullptr, {}};
 }
 

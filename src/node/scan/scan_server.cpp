@@ -23,7 +23,7 @@ constexpr double kPartialShare = 20.0;  // partial grids take one part of so man
 const ros::WallDuration kLastMessages(0.1);
 
 constexpr std::uint32_t kQueueLength = 500;
-constexpr double kWarningPeriod = 5.0;  // [s]
+const ros::WallDuration kWarningPeriod(5.0);
 
 std::string whoSaysTheTime() {
   return ros::Time::isSimTime() ? "on /clock" : "by the clock of this machine";
@@ -150,10 +150,17 @@ void ScanServer::update(const ros::SteadyTimerEvent& /*event*/) {
   }
   if (sweep_) advance(now);
   if (sweep_) report(now);
+  sayProblems();
+}
+
+void ScanServer::sayProblems() {
   const std::string transform_problem = transforms_.takeProblem();
-  if (!transform_problem.empty()) collector_.noteProblem(transform_problem);
-  const std::string problem = collector_.takeProblem();
-  if (!problem.empty()) ROS_WARN_STREAM_THROTTLE(kWarningPeriod, problem);
+  if (!transform_problem.empty()) collector_.noteProblem("tf", transform_problem);
+  const ros::SteadyTime steady = ros::SteadyTime::now();
+  if (collector_.problems().empty() || steady < next_warning_) return;
+  ROS_WARN("%s", collector_.problems().inWords().c_str());
+  collector_.problems().clear();
+  next_warning_ = steady + kWarningPeriod;
 }
 
 void ScanServer::advance(std::chrono::nanoseconds now) {

@@ -73,6 +73,7 @@ class ScanServer {
   void update(const ros::SteadyTimerEvent& event);
   void advance(std::chrono::nanoseconds now);
   bool timeRanBackwards(std::chrono::nanoseconds now);
+  void sayProblems();
   void report(std::chrono::nanoseconds now);
   void fail(ScanStatus status, const std::string& message, std::chrono::nanoseconds now);
   void end(const ScanOutcome& outcome, std::chrono::nanoseconds now);
@@ -91,6 +92,7 @@ class ScanServer {
   core::ClockWatch clock_;
   ros::SteadyTime last_feedback_;
   ros::SteadyTime next_partial_;
+  ros::SteadyTime next_warning_;
 
   GuardedQueue queue_;
   ros::NodeHandle names_;

@@ -32,8 +32,7 @@ bool SensorHealthTable::isReplaced(core::SensorId sensor, const SensorRegistry& 
   const std::chrono::nanoseconds newest = sensors_.at(sensor).newest;
   if (now - newest <= kSensorSilence) return false;
   return std::any_of(sensors_.begin(), sensors_.end(), [&](const auto& other) {
-    return other.second.first >= newest && other.first != sensor &&
-           registry.topicOf(other.first) == registry.topicOf(sensor);
+    return other.second.first > newest && registry.topicOf(other.first) == registry.topicOf(sensor);
   });
 }
 

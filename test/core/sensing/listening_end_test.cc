@@ -57,7 +57,7 @@ TEST(ListeningEnd, ASilenceIsTwiceAsLongAsEverBefore) {
 
 TEST(ListeningEnd, SilenceDoesNotEndASweepWhoseHeadingsAreNotSensed) {
   ListeningEnd end(kStart, 1);
-  SweepBuilder sweep = {2, kStep, {}, true};
+  SweepBuilder sweep = {2, kStep, {1, 2}, true};
   sweep.add(located(kStart, 1, {}));
   end.update(kStart, sweep);
   EXPECT_FALSE(end.update(kStart + seconds(30), sweep));

@@ -113,7 +113,7 @@ TEST(DiagnoseCompass, NeverHeardOrSilentItAsksForTheTopic) {
 TEST(DiagnoseCompass, SaysWhyHeadingsAreLeftOut) {
   InputHealth health = healthOf({});
   health.compass.left_out = 3;
-  health.compass.problem = "heading left out: its quaternion is not finite";
+  health.compass.problem = "its quaternion is not finite";
   Status status;
   diagnoseCompass(health, status);
   expectSays(status, Level::WARN, {"3 of 100", "quaternion is not finite"});

@@ -49,7 +49,21 @@ TEST_F(ScanCollectorTest, AStaleStampIsCountedWithoutAScanToo) {
   range(kStart, 0, 1.0);
   rangeReceived(kStart - 50.0, frame(0), 1.0, kStart + 0.1);
   EXPECT_EQ(health("sonar_0").rejected.at(static_cast<std::size_t>(Reject::kOld)), 1U);
-  EXPECT_NE(collector().takeProblem().find("sonar_0"), std::string::npos);
+  EXPECT_NE(collector().problems().inWords().find("sonar_0"), std::string::npos);
+}
+
+TEST_F(ScanCollectorTest, EveryInputThatIsWrongIsNamed) {
+  begin();
+  turnAndSense(0.0, 0.0);
+  for (int k = 0; k < 2; ++k) rangeReceived(kStart - 5.0, frame(k), 1.0, kStart + 2.0);
+  sensor_msgs::Imu stale;
+  stale.header.stamp = ros::Time(7.0);
+  stale.orientation.w = 1.0;
+  addHeading(stale, kStart + 2.0);
+  const std::string problem = outcomeAfter(2.1).problem;
+  for (const char* word : {"sonar_0", "sonar_1", "heading"}) {
+    EXPECT_NE(problem.find(word), std::string::npos) << problem;
+  }
 }
 
 TEST_F(ScanCollectorTest, AStaleHeadingIsLeftOutAndTheScanGoesOn) {
