@@ -55,7 +55,7 @@ std::optional<Arguments> readArguments(int argc, char** argv) {
 std::vector<Event> loadEvents(const std::string& path, double heading_window) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read the events " + path);
-  return readEvents(file, path, heading_window);
+  return readEvents(file, path, heading_window, {});
 }
 
 core::PlaceMemoryOptions memoryOptions(const config::Parameters& parameters,
