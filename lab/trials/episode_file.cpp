@@ -18,6 +18,10 @@ using nlohmann::json;
 /// How far a compass that knows its way may be off (paper 4: errors of up to 45 degrees).
 constexpr double kCompassWindow = core::kPi / 4.0;
 
+/// As of parameter grid/cell_size [m].
+constexpr double kLeastCell = 0.001;
+constexpr double kLargestCell = 100.0;
+
 /// Nothing that a robot in a building has is larger: metres, or radians.
 constexpr double kLargest = 1e6;
 
@@ -91,7 +95,7 @@ void addLine(const json& line, TrialSet& set) {
   const core::Pose2d odom_from_scan{pose.x, pose.y, core::wrapAngle(-compass)};
   std::vector<core::SonarReading> readings = readingsOf(line, pose.yaw + compass);
   const std::string role = line.at("role");
-  set.cell_size = numberAt(line, "cell", core::kLeastCellSize, core::kLargestCellSize);
+  set.cell_size = numberAt(line, "cell", kLeastCell, kLargestCell);
   if (role == "learn") {
     learnLine(line, {{}, odom_from_scan, std::move(readings)}, set);
   } else if (role == "recognize") {
@@ -109,8 +113,8 @@ void requireAccepted(const TrialSet& set, const std::vector<int>& lines, const s
   for (std::size_t i = 0; i < set.trials.size(); ++i) {
     for (const std::string& label : set.trials[i].accept) {
       if (labels.count(label) > 0) continue;
-      throw std::runtime_error(path + ":" + std::to_string(lines[i]) + ": accept: no line learns '" +
-                               label + "'");
+      throw std::runtime_error(path + ":" + std::to_string(lines[i]) +
+                               ": accept: no line learns '" + label + "'");
     }
   }
 }
