@@ -54,15 +54,17 @@ std::ofstream openTable(const std::string& path) {
 Result answer(const Event& event, const BagScanner& scanner, const BagTimes& times,
               core::PlaceMemory& memory) {
   Result result;
+  node::ScanOutcome outcome;
   try {
-    const node::ScanOutcome outcome = scanner.scan(event.start, event.end);
-    if (outcome.scan) return run(event, *outcome.scan, memory);
-    result.status = node::toString(outcome.status);
-    result.message = outcome.message;
-  } catch (const ros::Exception& error) {  // of rosbag, and of what its messages are made from
+    outcome = scanner.scan(event.start, event.end);
+  } catch (const std::exception& error) {  // of rosbag, and of what messages are made from
     result.status = "damaged_bag";
     result.message = std::string("the bag is damaged there: ") + error.what();
+    return result;
   }
+  if (outcome.scan) return run(event, *outcome.scan, memory);
+  result.status = node::toString(outcome.status);
+  result.message = outcome.message;
   const std::string missing = times.missing(event.start, event.end);
   if (!missing.empty()) result.message += (result.message.empty() ? "" : "; ") + missing;
   return result;
