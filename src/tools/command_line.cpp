@@ -17,10 +17,12 @@ po::options_description describe(Arguments& arguments) {
   auto add = options.add_options();
   add("help,h", "show this text");
   add("bag", po::value(&arguments.bag)->required(), "rosbag with sonar, heading and tf");
-  add("events", po::value(&arguments.events)->required(),
+  add("events", po::value(&arguments.events),
       "table of what to do: start,end,action,label,heading_window,force [s, s, learn|recognize, "
       "text, rad, true|false]; +12.5: so many seconds after the first message; force may be left "
-      "out");
+      "out. Without a table every stretch where the robot stands or turns on the spot is "
+      "recognized, "
+      "and learned where no place fits");
   add("out", po::value(&arguments.out)->required(),
       "table of results to write, a row for each event");
   add("params", po::value(&arguments.params)->composing(),
@@ -55,7 +57,7 @@ std::optional<Arguments> readArguments(int argc, const char* const* argv, std::o
   po::variables_map given;
   po::store(po::command_line_parser(argc, argv).options(all).positional(positions).run(), given);
   if (given.count("help") > 0) {
-    help << "usage: place_memory_bag --bag F --events F --out F [--params F]... [--store F]\n\n"
+    help << "usage: place_memory_bag --bag F [--events F] --out F [--params F]... [--store F]\n\n"
          << options
          << "\nExit status: 0: every event was answered; 3: the table of results is complete, but "
             "some\nevents failed; 1: nothing was done, or not all of it, as the message says.\n";

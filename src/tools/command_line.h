@@ -11,7 +11,7 @@ namespace place_memory::tools {
 /// What place_memory_bag is told.
 struct Arguments {
   std::string bag;
-  std::string events;
+  std::string events;  ///< empty: the stretches where the robot stands or turns are taken
   std::string out;
   std::vector<std::string> params;
   std::string store;  ///< from the root; empty: that of the parameters

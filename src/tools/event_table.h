@@ -19,6 +19,7 @@ struct Event {
   std::string label;            ///< of the place to learn; empty: one is made up
   double heading_window = 0.0;  ///< [rad], in [0, pi]
   bool force = false;           ///< learn although the scan holds no echo
+  bool visit = false;           ///< recognize, and learn where the answer is UNKNOWN
 };
 
 /// No event is longer: of the readings and transforms between its times all are kept [s].

@@ -17,6 +17,7 @@
 #include "tools/command_line.h"
 #include "tools/event_table.h"
 #include "tools/result_table.h"
+#include "tools/standing_stretches.h"
 
 namespace place_memory::tools {
 namespace {
@@ -25,10 +26,11 @@ namespace {
 // not all of it.
 constexpr int kSomeEventsFailed = 3;
 
-std::vector<Event> loadEvents(const std::string& path, double heading_window,
+std::vector<Event> loadEvents(const Arguments& arguments, const config::Parameters& parameters,
                               const ros::Time& bag_start) {
-  std::istringstream table(support::readWholeFile(path));
-  return readEvents(table, path, heading_window, bag_start);
+  if (arguments.events.empty()) return findEvents(arguments.bag, parameters);
+  std::istringstream table(support::readWholeFile(arguments.events));
+  return readEvents(table, arguments.events, parameters.match.heading_window, bag_start);
 }
 
 core::PlaceMemoryOptions memoryOptions(const config::Parameters& parameters,
@@ -51,7 +53,16 @@ std::ofstream openTable(const std::string& path) {
   return table;
 }
 
-Result answer(const Event& event, const BagScanner& scanner, const BagTimes& times,
+// A visit becomes what it turns out to be.
+Result runEvent(Event& event, const core::Scan& scan, core::PlaceMemory& memory) {
+  const Result result = run(event, scan, memory);
+  const bool is_unknown = result.verdict == core::nameOf(core::Verdict::kUnknown);
+  if (!event.visit || !is_unknown) return result;
+  event.action = Action::kLearn;
+  return run(event, scan, memory);
+}
+
+Result answer(Event& event, const BagScanner& scanner, const BagTimes& times,
               core::PlaceMemory& memory) {
   Result result;
   node::ScanOutcome outcome;
@@ -62,7 +73,7 @@ Result answer(const Event& event, const BagScanner& scanner, const BagTimes& tim
     result.message = std::string("the bag is damaged there: ") + error.what();
     return result;
   }
-  if (outcome.scan) return run(event, *outcome.scan, memory);
+  if (outcome.scan) return runEvent(event, *outcome.scan, memory);
   result.status = node::toString(outcome.status);
   result.message = outcome.message;
   const std::string missing = times.missing(event.start, event.end);
@@ -78,8 +89,8 @@ void tell(std::size_t number, const Result& result, support::ProgressBar& bar) {
 }
 
 /// Returns how many events failed.
-std::size_t answerAll(const std::vector<Event>& events, const BagScanner& scanner,
-                      const BagTimes& times, core::PlaceMemory& memory, std::ostream& table) {
+std::size_t answerAll(std::vector<Event>& events, const BagScanner& scanner, const BagTimes& times,
+                      core::PlaceMemory& memory, std::ostream& table) {
   std::size_t failed = 0;
   support::ProgressBar bar(events.size(), "events", std::cerr);
   for (std::size_t i = 0; i < events.size() && table; ++i) {
@@ -108,8 +119,7 @@ int process(const Arguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   const config::Parameters parameters = config::loadParameters(arguments.params);
   const BagTimes times = checkBag(arguments.bag, parameters);
-  const std::vector<Event> events =
-      loadEvents(arguments.events, parameters.match.heading_window, times.first);
+  std::vector<Event> events = loadEvents(arguments, parameters, times.first);
   const BagScanner scanner = openScanner(arguments.bag, parameters);
   const core::PlaceMemoryOptions options = memoryOptions(parameters, arguments.store);
   core::PlaceMemory memory(options);

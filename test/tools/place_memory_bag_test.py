@@ -104,12 +104,33 @@ class BagToolTest(unittest.TestCase):
         self.assertIn("Exit status", answer.stdout)
         self.assert_refused(self.run_events(HEADER, "stray.yaml"), "stray.yaml", "--help")
         self.assert_refused(self.run_events(HEADER, "--parms", "a.yaml"), "--parms")
-        self.assert_refused(self.run_tool("--bag", self.bag, "--out", self.out), "--events")
+        self.assert_refused(self.run_tool("--bag", self.bag), "--out")
 
     def test_results_that_cannot_be_written(self):
         table = self.write("events.csv", HEADER)
         answer = self.run_tool("--bag", self.bag, "--events", table, "--out", "/nowhere/r.csv")
         self.assert_refused(answer, "cannot write the results /nowhere/r.csv")
+
+    def test_without_a_table_it_takes_the_stretches_where_the_robot_stands(self):
+        answer = self.run_tool("--bag", self.bag, "--out", self.out)
+        self.assertEqual(answer.returncode, ALL, answer.stderr)
+        rows = self.rows()
+        self.assertEqual(len(rows), len(self.rooms.events))
+        for row, event in zip(rows, self.rooms.events):
+            self.assertLess(abs(float(row["start"]) - event.start), 1.0)
+        # The first room is new to it.
+        self.assertEqual(rows[0]["action"], "learn")
+        labels = {row["place"]: row for row in rows if row["action"] == "learn"}
+        for row in rows:
+            self.assertEqual(row["status"], "ok")
+            if row["action"] == "recognize":
+                self.assertIn(row["verdict"], ("recognized", "ambiguous"))
+                self.assertIn(row["place"], labels)
+        self.assertIn("recognize", [row["action"] for row in rows])
+        parameters = self.write("my.yaml", "odom_frame: world\n")
+        os.remove(self.out)
+        answer = self.run_tool("--bag", self.bag, "--out", self.out, "--params", parameters)
+        self.assert_refused(answer, "no tf from the frame world")
 
     # --- tables and parameters ---
 
