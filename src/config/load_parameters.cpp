@@ -4,7 +4,11 @@
 #include <sstream>
 
 #include "config/parameter_reader.h"
+#include "config/renamed_parameters.h"
+#include "config/store_path.h"
+#include "config/yaml_file.h"
 #include "place_memory/config/match_preset.h"
+#include "support/text.h"
 
 namespace place_memory::config {
 namespace {
@@ -22,6 +26,8 @@ std::string anything(const std::string& /*text*/) { return {}; }
 std::string checkFrame(const std::string& name) {
   if (name.empty()) return "must not be empty";
   if (name.front() == '/') return "must not begin with a slash";
+  if (support::hasControls(name)) return "must not hold line breaks or other control characters";
+  if (support::trimmed(name) != name) return "must not begin or end with a blank";
   return {};
 }
 
@@ -91,7 +97,8 @@ Parameters readAll(ParameterReader& reader) {
   reader.flag("tf_broadcast", parameters.tf_broadcast);
   reader.texts("sonar_topics", checkTopic, parameters.sonar_topics);
   reader.text("heading_topic", checkTopic, parameters.heading_topic);
-  reader.text("store", anything, parameters.store);
+  reader.text("store", checkStorePath, parameters.store);
+  parameters.store = absoluteStorePath(parameters.store);
   reader.number("time_jump_tolerance", closed(0.0, 60.0), parameters.time_jump_tolerance);
   reader.number("grid/cell_size", closed(0.001, 100.0), parameters.grid.cell_size);
   readSonar(reader, parameters.sonar);
@@ -128,6 +135,7 @@ void checkTogether(const Parameters& parameters, std::vector<std::string>& probl
 }
 
 Parameters finish(ParameterReader& reader) {
+  reader.renamed(renamedParameters());
   Parameters parameters = readAll(reader);
   std::vector<std::string> problems = reader.problems();
   if (problems.empty()) checkTogether(parameters, problems);
@@ -157,9 +165,9 @@ Parameters loadParameters(const std::vector<std::string>& paths) {
   std::vector<std::string> unreadable;
   for (const std::string& path : paths) {
     try {
-      reader.add(YAML::LoadFile(path), path);
-    } catch (const YAML::Exception& error) {
-      unreadable.push_back(path + ": " + error.what());
+      reader.add(loadYamlFile(path), path);
+    } catch (const ParameterError& error) {
+      unreadable.insert(unreadable.end(), error.problems().begin(), error.problems().end());
     }
   }
   if (!unreadable.empty()) throw ParameterError(unreadable);

@@ -4,11 +4,15 @@
 
 #include <boost/algorithm/string/join.hpp>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
 #include "config/parameter_reader.h"
+#include "config/yaml_file.h"
+#include "config/yaml_value.h"
 #include "embedded_presets.h"
+#include "support/text.h"
 
 namespace place_memory::config {
 namespace {
@@ -21,9 +25,9 @@ bool readWeights(const YAML::Node& node, core::PairWeights& weights) {
   for (std::size_t row = 0; row < core::kCellClasses; ++row) {
     if (!node[row].IsSequence() || node[row].size() != core::kCellClasses) return false;
     for (std::size_t column = 0; column < core::kCellClasses; ++column) {
-      double& weight = weights[row][column];
-      if (!YAML::convert<double>::decode(node[row][column], weight)) return false;
-      if (!std::isfinite(weight) || std::abs(weight) > kLargestWeight) return false;
+      const std::optional<double> weight = numberOf(node[row][column]);
+      if (!weight || !std::isfinite(*weight) || std::abs(*weight) > kLargestWeight) return false;
+      weights[row][column] = *weight;
     }
   }
   return true;
@@ -136,18 +140,14 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
 }  // namespace
 
 MatchPreset loadPreset(const std::string& name_or_path) {
-  try {
-    if (name_or_path == "evidence") return parsePreset(YAML::Load(kEvidencePreset), "evidence");
-    if (name_or_path == "paper") return parsePreset(YAML::Load(kPaperPreset), "paper");
-    return parsePreset(YAML::LoadFile(name_or_path), name_or_path);
-  } catch (const YAML::BadFile&) {
-    throw ParameterError(
-        {"match/preset: must be evidence, paper or the path of a file that can be "
-         "read, not '" +
-         name_or_path + "'"});
-  } catch (const YAML::Exception& error) {
-    throw ParameterError({name_or_path + ": " + error.what()});
+  if (name_or_path == "evidence") return parsePreset(YAML::Load(kEvidencePreset), "evidence");
+  if (name_or_path == "paper") return parsePreset(YAML::Load(kPaperPreset), "paper");
+  std::error_code none;
+  if (!std::filesystem::exists(name_or_path, none)) {
+    throw ParameterError({"match/preset: must be evidence, paper or the path of a file, not '" +
+                          support::printable(name_or_path) + "'"});
   }
+  return parsePreset(loadYamlFile(name_or_path), name_or_path);
 }
 
 }  // namespace place_memory::config

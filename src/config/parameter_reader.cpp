@@ -1,28 +1,55 @@
 #include "config/parameter_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+
+#include "config/yaml_value.h"
+#include "support/text.h"
 
 namespace place_memory::config {
 namespace {
 
-// yaml-cpp's tag of a scalar in quotes.
-constexpr char kQuoted[] = "!";
+// More than any table of parameters has; tables that name others over and over grow beyond it.
+constexpr std::size_t kMostValues = 1000;
 
-bool isPlain(const YAML::Node& node) { return node.IsScalar() && node.Tag() != kQuoted; }
-
-// A text that YAML takes for another type unless it is in quotes.
-bool isOtherType(const YAML::Node& node) {
-  if (!isPlain(node)) return false;
-  double number = 0.0;
-  bool flag = false;
-  return YAML::convert<double>::decode(node, number) || YAML::convert<bool>::decode(node, flag);
+// The word of a text that was meant, by the fewest letters to change.
+std::size_t lettersToChange(const std::string& from, const std::string& to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t change = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
 }
 
-std::string shown(const YAML::Node& node) {
-  if (node.IsNull()) return "nothing";
-  if (node.IsScalar()) return "'" + node.Scalar() + "'";
-  return node.IsSequence() ? "a list" : "a table";
+// The known name that is most like it; empty: none is.
+std::string nearest(const std::string& name, const std::set<std::string>& known) {
+  constexpr std::size_t kMostLetters = 2;
+  // A table of a node, as `rosparam dump /` has it, holds the known names one table deeper.
+  for (const std::string& candidate : known) {
+    const std::string end = "/" + candidate;
+    if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0) {
+      return candidate;
+    }
+  }
+  std::string best;
+  std::size_t least = kMostLetters + 1;
+  for (const std::string& candidate : known) {
+    if (name.size() > candidate.size() + kMostLetters) continue;
+    const std::size_t letters = lettersToChange(name, candidate);
+    if (letters < least) {
+      least = letters;
+      best = candidate;
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -45,27 +72,84 @@ void ParameterReader::add(const YAML::Node& table, const std::string& source) {
     problems_.push_back(source + ": must be a table of parameters, not " + shown(table));
     return;
   }
-  std::set<std::string> names_here;
-  flatten(table, "", source, names_here);
+  Descent descent;
+  descent.source = source;
+  flatten(table, "", descent);
 }
 
-void ParameterReader::flatten(const YAML::Node& node, const std::string& name,
-                              const std::string& source, std::set<std::string>& names_here) {
-  if (!node.IsMap()) {
-    if (!names_here.insert(name).second) {
-      problems_.push_back(name + " (" + source + "): is given twice");
+void ParameterReader::flatten(const YAML::Node& node, const std::string& name, Descent& descent) {
+  if (++descent.values > kMostValues) {
+    if (descent.values == kMostValues + 1) {
+      problems_.push_back(descent.source + ": has more parameters than there are");
     }
-    entries_[name] = {node, source};
     return;
   }
-  for (const auto& item : node) {
+  if (node.IsMap()) {
+    const auto is_same = [&](const YAML::Node& table) { return table.is(node); };
+    std::vector<YAML::Node>& containing = descent.containing;
+    if (std::any_of(containing.begin(), containing.end(), is_same)) {
+      problems_.push_back(name + " (" + descent.source + "): is a table that contains itself");
+      return;
+    }
+    containing.push_back(node);
+    flattenTable(node, name, descent);
+    containing.pop_back();
+    return;
+  }
+  if (!descent.names.insert(name).second) {
+    problems_.push_back(name + " (" + descent.source + "): is given twice");
+  }
+  entries_[name] = {node, descent.source};
+}
+
+void ParameterReader::flattenTable(const YAML::Node& table, const std::string& name,
+                                   Descent& descent) {
+  std::set<std::string> own;
+  std::vector<YAML::Node> merged;
+  for (const auto& item : table) {
     if (!item.first.IsScalar()) {
-      problems_.push_back(source + ": a name must be a text, not " + shown(item.first));
+      problems_.push_back(descent.source + ": a name must be a text, not " + shown(item.first));
       continue;
     }
-    const std::string prefix = name.empty() ? "" : name + "/";
-    flatten(item.second, prefix + item.first.Scalar(), source, names_here);
+    const std::string& key = item.first.Scalar();
+    if (key == "<<") {
+      merged.push_back(item.second);
+      continue;
+    }
+    own.insert(key);
+    flatten(item.second, name.empty() ? key : name + "/" + key, descent);
   }
+  for (const YAML::Node& node : merged) merge(node, name, own, descent);
+}
+
+void ParameterReader::merge(const YAML::Node& merged, const std::string& name,
+                            std::set<std::string>& own, Descent& descent) {
+  if (merged.IsSequence()) {
+    for (const YAML::Node& table : merged) {
+      if (!table.IsSequence()) merge(table, name, own, descent);
+    }
+    return;
+  }
+  if (!merged.IsMap()) {
+    problems_.push_back((name.empty() ? "" : name + "/") + "<< (" + descent.source +
+                        "): must be a table, not " + shown(merged));
+    return;
+  }
+  YAML::Node rest(YAML::NodeType::Map);
+  for (const auto& item : merged) {
+    if (!item.first.IsScalar() || own.insert(item.first.Scalar()).second) {
+      rest.force_insert(item.first, item.second);
+    }
+  }
+  const auto is_same = [&](const YAML::Node& table) { return table.is(merged); };
+  std::vector<YAML::Node>& containing = descent.containing;
+  if (std::any_of(containing.begin(), containing.end(), is_same)) {
+    problems_.push_back(name + " (" + descent.source + "): is a table that contains itself");
+    return;
+  }
+  containing.push_back(merged);
+  flattenTable(rest, name, descent);
+  containing.pop_back();
 }
 
 const ParameterReader::Entry* ParameterReader::find(const std::string& name) {
@@ -81,16 +165,16 @@ void ParameterReader::complain(const std::string& name, const Entry& entry,
 
 bool ParameterReader::readNumber(const std::string& name, const Entry& entry,
                                  const Interval& interval, double& value) {
-  double number = 0.0;
-  if (!isPlain(entry.value) || !YAML::convert<double>::decode(entry.value, number)) {
+  const std::optional<double> number = numberOf(entry.value);
+  if (!number) {
     complain(name, entry, "must be a number");
     return false;
   }
-  if (!std::isfinite(number) || !interval.contains(number)) {
+  if (!std::isfinite(*number) || !interval.contains(*number)) {
     complain(name, entry, "must be in " + interval.toString());
     return false;
   }
-  value = number;
+  value = *number;
   return true;
 }
 
@@ -112,12 +196,12 @@ void ParameterReader::integer(const std::string& name, const Interval& interval,
 void ParameterReader::flag(const std::string& name, bool& value) {
   const Entry* entry = find(name);
   if (entry == nullptr) return;
-  bool given = false;
-  if (!isPlain(entry->value) || !YAML::convert<bool>::decode(entry->value, given)) {
+  const std::optional<bool> given = flagOf(entry->value);
+  if (!given) {
     complain(name, *entry, "must be true or false");
     return;
   }
-  value = given;
+  value = *given;
 }
 
 void ParameterReader::text(const std::string& name,
@@ -125,7 +209,7 @@ void ParameterReader::text(const std::string& name,
                            std::string& value) {
   const Entry* entry = find(name);
   if (entry == nullptr) return;
-  if (!entry->value.IsScalar() || isOtherType(entry->value)) {
+  if (kindOf(entry->value) != ValueKind::kText) {
     complain(name, *entry, "must be a text");
     return;
   }
@@ -149,7 +233,7 @@ void ParameterReader::texts(const std::string& name,
   std::vector<std::string> given;
   for (const YAML::Node& item : entry->value) {
     const Entry as_entry{item, entry->source};
-    if (!item.IsScalar() || isOtherType(item)) {
+    if (kindOf(item) != ValueKind::kText) {
       complain(name, as_entry, "must be a list of texts");
       return;
     }
@@ -163,6 +247,19 @@ void ParameterReader::texts(const std::string& name,
   value = given;
 }
 
+std::string ParameterReader::unknown(const std::string& name, const Entry& entry) const {
+  const std::string where = support::printable(name) + " (" + entry.source + "): ";
+  const auto now = renamed_.find(name);
+  if (now != renamed_.end()) return where + "is called " + now->second + " now";
+  const std::string word = name.substr(name.find_last_of('/') + 1);
+  // What a decimal comma leaves of {step: 0,03}.
+  if (!word.empty() && word.find_first_not_of("0123456789") == std::string::npos) {
+    return where + "is not a parameter; decimals have a point, not a comma";
+  }
+  const std::string meant = nearest(name, known_);
+  return where + "is not a parameter" + (meant.empty() ? "" : "; is " + meant + " meant?");
+}
+
 std::vector<std::string> ParameterReader::problems() const {
   std::vector<std::string> all = problems_;
   for (const auto& [name, entry] : entries_) {
@@ -172,9 +269,9 @@ std::vector<std::string> ParameterReader::problems() const {
     const bool is_section =
         next != known_.end() && next->compare(0, name.size() + 1, name + "/") == 0;
     if (is_section && entry.value.IsNull()) continue;
-    all.push_back(name + " (" + entry.source + "): " +
-                  (is_section ? "is a table of parameters, not " + shown(entry.value)
-                              : "is not a parameter"));
+    all.push_back(is_section ? name + " (" + entry.source + "): is a table of parameters, not " +
+                                   shown(entry.value)
+                             : unknown(name, entry));
   }
   return all;
 }

@@ -28,8 +28,11 @@ struct Interval {
 class ParameterReader {
  public:
   /// Adds the parameters of a table on top of those added before. `source` tells a person where
-  /// they stand.
+  /// they stand. Keys `<<` merge tables as YAML 1.1 has it.
   void add(const YAML::Node& table, const std::string& source);
+
+  /// Old names with the new ones, which problems() names where an old one is given.
+  void renamed(const std::map<std::string, std::string>& names) { renamed_ = names; }
 
   bool has(const std::string& name) const { return entries_.count(name) != 0; }
 
@@ -75,8 +78,20 @@ class ParameterReader {
     std::string source;
   };
 
-  void flatten(const YAML::Node& node, const std::string& name, const std::string& source,
-               std::set<std::string>& names_here);
+  /// One table on its way into entries_.
+  struct Descent {
+    std::string source;
+    std::size_t values = 0;              ///< seen in it, those of tables named often each time
+    std::set<std::string> names;         ///< found in it
+    std::vector<YAML::Node> containing;  ///< the tables that are being read, the outermost first
+  };
+
+  void flatten(const YAML::Node& node, const std::string& name, Descent& descent);
+  void flattenTable(const YAML::Node& table, const std::string& name, Descent& descent);
+  /// Adds what the key `<<` names, but for `own` keys.
+  void merge(const YAML::Node& merged, const std::string& name, std::set<std::string>& own,
+             Descent& descent);
+  std::string unknown(const std::string& name, const Entry& entry) const;
   const Entry* find(const std::string& name);
   void complain(const std::string& name, const Entry& entry, const std::string& problem);
   bool readNumber(const std::string& name, const Entry& entry, const Interval& interval,
@@ -84,6 +99,7 @@ class ParameterReader {
 
   std::map<std::string, Entry> entries_;
   std::set<std::string> known_;
+  std::map<std::string, std::string> renamed_;
   std::vector<std::string> problems_;
 };
 

@@ -1,6 +1,8 @@
 #include "node/parameter_server.h"
 
+#include <cmath>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <string>
 
@@ -9,16 +11,22 @@
 namespace place_memory::node {
 namespace {
 
-YAML::Node quoted(const std::string& text) {
+YAML::Node tagged(const std::string& text, const char* tag) {
   YAML::Node node(text);
-  node.SetTag("!");
+  node.SetTag(tag);
   return node;
 }
 
+YAML::Node quoted(const std::string& text) { return tagged(text, "!"); }
+
 YAML::Node number(double value) {
+  // The words of YAML: nan and inf are texts there.
+  if (std::isnan(value)) return YAML::Node(".nan");
+  if (std::isinf(value)) return YAML::Node(value > 0.0 ? ".inf" : "-.inf");
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text.precision(std::numeric_limits<double>::max_digits10);
-  text << value;  // nan, inf and -inf are words to YAML, which the parser reports as they stand
+  text << value;
   return YAML::Node(text.str());
 }
 
@@ -63,8 +71,12 @@ YAML::Node toYaml(const XmlRpc::XmlRpcValue& value) {
       node = YAML::Node(YAML::NodeType::Map);
       for (auto& [name, member] : copy) node[name] = toYaml(member);
       return node;
+    case XmlRpc::XmlRpcValue::TypeDateTime:
+      return tagged("dateTime.iso8601", "tag:yaml.org,2002:timestamp");
+    case XmlRpc::XmlRpcValue::TypeBase64:
+      return tagged("base64", "tag:yaml.org,2002:binary");
     default:
-      return quoted("a value of a type that no parameter has");
+      return YAML::Node(YAML::NodeType::Null);
   }
 }
 

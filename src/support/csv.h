@@ -8,8 +8,10 @@
 
 namespace place_memory::support {
 
-/// The next record of comma-separated values (RFC 4180), nothing at the end. `line` is raised by
-/// the lines that were read. Throws std::runtime_error where a quote is not closed.
+/// The next record of comma-separated values (RFC 4180), nothing at the end. Lines end with LF,
+/// CRLF or CR; blanks around a field count only in quotes; lines that begin with # are left out.
+/// `line` is raised by the lines that were read. Throws std::runtime_error where a quote is not
+/// closed.
 std::optional<std::vector<std::string>> readRecord(std::istream& input, int& line);
 
 /// A field, in quotes where it has to be.

@@ -4,6 +4,7 @@
 
 #include <ostream>
 
+#include "config/parameter_reader.h"
 #include "core/temporary_folder.h"
 #include "place_memory/config/match_preset.h"
 
@@ -214,7 +215,59 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"heading_topic: 0heading", "must begin with a letter"},
         Malformed{"heading_topic: ~heading", "must begin with a letter"},
         Malformed{"sonar_topics: [sonar, sonar]", "a topic is given twice"},
-        Malformed{"store: [a]", "must be a text, not a list"}));
+        Malformed{"store: [a]", "must be a text, not a list"},
+        Malformed{"map_frame: 2020-01-31", "must be a text, not the date '2020-01-31'"},
+        Malformed{"map_frame: deg(2)", "must be a text, not 'deg(2)'"},
+        Malformed{"map_frame: no", "must be a text, not 'no'"},
+        Malformed{"map_frame: !!binary aGk=", "must be a text, not binary data"},
+        Malformed{"map_frame: !kind map", "must be a text, not a value tagged !kind"},
+        Malformed{"map_frame: .nan", "must be a text, not '.nan'"},
+        Malformed{"base_frame: \"base\\nlink\"", "must not hold line breaks"},
+        Malformed{"base_frame: \"base\\0link\"", "must not hold line breaks"},
+        Malformed{"odom_frame: ' '", "must not begin or end with a blank"},
+        Malformed{"base_frame: 'base_link '", "must not begin or end with a blank"},
+        Malformed{"scan: {step: deg(two)}", "must be a number, not 'deg(two)'"},
+        Malformed{"scan: {heading: 5}", "is not a parameter; is scan/headings meant?"},
+        Malformed{"place_memory: {scan: {headings: 5}}", "is scan/headings meant?"},
+        Malformed{"colour: red", "colour (test): is not a parameter"},
+        Malformed{"grid: {cell_size: 1, 03}", "decimals have a point, not a comma"},
+        Malformed{"<<: 5", "<< (test): must be a table, not '5'"},
+        Malformed{"? [a]\n: 5", "a name must be a text, not a list"}));
+
+TEST(LoadParameters, NumbersAreReadAsRoslaunchReadsThem) {
+  EXPECT_DOUBLE_EQ(parse("scan: {step: 1e-2}").scan.step, 0.01);
+  EXPECT_DOUBLE_EQ(parse("scan: {step: deg(2)}").scan.step, core::kPi / 90.0);
+  EXPECT_DOUBLE_EQ(parse("scan: {step: rad(pi/90)}").scan.step, core::kPi / 90.0);
+  EXPECT_EQ(parse("scan: {headings: 010}").scan.headings, 8);
+  EXPECT_EQ(parse("scan: {timeout: 1:30}").scan.timeout, 90.0);
+  EXPECT_EQ(parse("scan: {timeout: 30}").scan.timeout, 30.0);
+  EXPECT_TRUE(parse("places: {adapt: yes}").places.enabled);
+  EXPECT_EQ(parse("map_frame: y").map_frame, "y");
+  EXPECT_EQ(parse("map_frame: 1e-2").map_frame, "1e-2");
+}
+
+TEST(LoadParameters, TablesMergeAsRoslaunchMergesThem) {
+  const Parameters p = parse(R"(
+scan: &slow {timeout: 100, headings: 5}
+<<: {map_frame: world, scan: {headings: 7}}
+match: {<<: [{confidence: 0.9}, {confidence: 0.7, position_window: 2}]}
+)");
+  EXPECT_EQ(p.map_frame, "world");
+  EXPECT_EQ(p.scan.headings, 5) << "what stands in the table itself holds";
+  EXPECT_EQ(p.match.recognizer.confidence, 0.9) << "and the first of several";
+  EXPECT_EQ(p.match.recognizer.position_window, 2.0);
+}
+
+TEST(ParameterReader, AnOldNameNamesTheNewOne) {
+  ParameterReader reader;
+  reader.renamed({{"scan/angle", "scan/step"}});
+  reader.add(YAML::Load("scan: {angle: 0.1}"), "test");
+  double step = 0.0;
+  reader.number("scan/step", {0.0, 1.0}, step);
+  EXPECT_EQ(reader.problems(),
+            (std::vector<std::string>{"scan/angle (test): is called scan/step now"}));
+  EXPECT_EQ(step, 0.0) << "the old name sets nothing";
+}
 
 TEST(LoadParameters, ThreadsBoundThePoolOfMatching) {
   EXPECT_EQ(parse("match: {threads: 256}").match.recognizer.threads, 256U);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace place_memory::node {
@@ -29,9 +30,9 @@ TEST(ToYaml, NumbersAreWhatTheyWere) {
 TEST(ToYaml, FlagsAndTextsAreWhatTheyWere) {
   EXPECT_TRUE(parse(table("scan", "over_range_is_no_echo", true)).scan.over_range_is_no_echo);
   EXPECT_EQ(parse(table("match", "preset", "paper")).match.preset, "paper");
-  XmlRpcValue store;
-  store["store"] = "5";
-  EXPECT_EQ(parse(store).store, "5");
+  XmlRpcValue frame;
+  frame["map_frame"] = "5";
+  EXPECT_EQ(parse(frame).map_frame, "5");
 }
 
 TEST(ToYaml, ListsAreWhatTheyWere) {
@@ -47,6 +48,41 @@ TEST(ToYaml, NothingIsTurnedIntoAnotherType) {
   EXPECT_THROW(parse(table("scan", "over_range_is_no_echo", "true")), config::ParameterError);
   EXPECT_THROW(parse(table("scan", "over_range_is_no_echo", 1)), config::ParameterError);
   EXPECT_THROW(parse(table("match", "preset", 5)), config::ParameterError);
+}
+
+std::string problemOf(const std::string& name, const XmlRpcValue& value) {
+  XmlRpcValue table;
+  table[name] = value;
+  try {
+    parse(table);
+  } catch (const config::ParameterError& error) {
+    return error.problems().front();
+  }
+  return "none";
+}
+
+TEST(ToYaml, NumbersThatRoslaunchTakesForTextsAreNumbers) {
+  EXPECT_EQ(parse(table("scan", "step", "1e-2")).scan.step, 0.01);
+  EXPECT_DOUBLE_EQ(parse(table("scan", "step", "deg(2)")).scan.step, M_PI / 90.0);
+  EXPECT_DOUBLE_EQ(parse(table("scan", "step", "pi/90")).scan.step, M_PI / 90.0);
+}
+
+TEST(ToYaml, ANumberThatIsNoneIsNoName) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(problemOf("map_frame", nan).find("must be a text, not '.nan'"), std::string::npos);
+  EXPECT_NE(problemOf("map_frame", INFINITY).find("must be a text"), std::string::npos);
+}
+
+TEST(ToYaml, DatesAndBinaryDataAreNoTexts) {
+  tm date = {};
+  date.tm_year = 120;
+  EXPECT_NE(problemOf("map_frame", XmlRpcValue(&date)).find("must be a text, not the date"),
+            std::string::npos);
+  char data[] = "map";
+  EXPECT_NE(problemOf("map_frame", XmlRpcValue(data, 3)).find("must be a text, not binary data"),
+            std::string::npos);
+  EXPECT_NE(problemOf("map_frame", XmlRpcValue()).find("must be a text, not nothing"),
+            std::string::npos);
 }
 
 TEST(ToYaml, NumbersThatAreNotFiniteAreReported) {

@@ -7,6 +7,7 @@ namespace place_memory::core {
 bool isValidLabel(std::string_view label) {
   namespace utf = boost::locale::utf;
   if (label.empty() || label.size() > kMaxLabelBytes) return false;
+  if (label.find_first_not_of(' ') == std::string_view::npos) return false;
   for (auto at = label.begin(); at != label.end();) {
     const utf::code_point point = utf::utf_traits<char>::decode(at, label.end());
     if (!utf::is_valid_codepoint(point)) return false;

@@ -8,7 +8,8 @@ namespace place_memory::core {
 
 constexpr std::size_t kMaxLabelBytes = 255;
 
-/// Whether a place may be called so: 1 to kMaxLabelBytes bytes of UTF-8 without control characters.
+/// Whether a place may be called so: 1 to kMaxLabelBytes bytes of UTF-8 without control characters,
+/// not all of them blanks.
 bool isValidLabel(std::string_view label);
 
 }  // namespace place_memory::core

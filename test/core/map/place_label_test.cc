@@ -19,6 +19,7 @@ TEST(PlaceLabel, TakesText) {
 
 TEST(PlaceLabel, RefusesWhatIsNoText) {
   EXPECT_FALSE(isValidLabel("")) << "empty";
+  EXPECT_FALSE(isValidLabel("  ")) << "blank";
   EXPECT_FALSE(isValidLabel(std::string(kMaxLabelBytes + 1, 'x'))) << "too long";
   EXPECT_FALSE(isValidLabel("a\nb")) << "line break";
   EXPECT_FALSE(isValidLabel(std::string("a\0b", 3))) << "null";

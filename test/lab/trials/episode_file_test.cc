@@ -13,9 +13,9 @@ const std::string kLearn =
     R"("ring_radius": 0.2, "fov": 0.4, "r_min": 0.1, "r_max": 3, "cell": 0.06, )"
     R"("readings": [[0, 0.3, 0.02, 1.5], [0, 0.3, 0.02, null], [0, 0.3, 0.02, 9]]})";
 const std::string kRecognize =
-    R"({"role": "recognize", "accept": ["A", "B"], "pose": [1, 2, 0.5], "compass": 0.1, )"
+    R"({"role": "recognize", "accept": ["A"], "pose": [1, 2, 0.5], "compass": 0.1, )"
     R"("any_heading": true, "ring_radius": 0.2, "fov": 0.4, "r_min": 0.1, "r_max": 3, )"
-    R"("cell": 0.06, "readings": []})";
+    R"("cell": 0.06, "readings": [[0, 0.3, 0.02, 1.5]]})";
 
 TrialSet read(const std::string& text) {
   const std::string path = testing::TempDir() + "/episodes.jsonl";
@@ -58,7 +58,7 @@ TEST(EpisodeFile, ACompassThatSaysNothingOpensTheWindow) {
   const TrialSet set =
       read(kLearn + "\n" + kRecognize + "\n" + changed(kRecognize, "true", "false") + "\n");
   ASSERT_EQ(set.trials.size(), 2U);
-  EXPECT_EQ(set.trials[0].accept, (std::vector<std::string>{"A", "B"}));
+  EXPECT_EQ(set.trials[0].accept, std::vector<std::string>{"A"});
   EXPECT_EQ(set.trials[0].heading_window, core::kPi);
   EXPECT_EQ(set.trials[1].heading_window, core::kPi / 4.0);
 }
@@ -96,6 +96,59 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"[0, 0.3, 0.02, 9]", "[0, \"left\", 0.02, 9]"},
         Malformed{"[0, 0.3, 0.02, 9]", "5"}, Malformed{"\"ring_radius\": 0.2, ", ""},
         Malformed{"{", "["}, Malformed{"}", ""}));
+
+/// A line with one field that is wrong, and the error.
+struct WrongField {
+  const char* from;
+  const char* to;
+  const char* error;
+};
+void PrintTo(const WrongField& wrong, std::ostream* output) { *output << wrong.to; }
+
+class WrongEpisode : public testing::TestWithParam<WrongField> {};
+
+TEST_P(WrongEpisode, IsNamedWithLineAndField) {
+  const std::string line = changed(kLearn, GetParam().from, GetParam().to);
+  const std::string text = problem(line + "\n" + kRecognize);
+  EXPECT_NE(text.find(std::string("episodes.jsonl:1: ") + GetParam().error), std::string::npos)
+      << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EpisodeFile, WrongEpisode,
+    testing::Values(
+        WrongField{"\"cell\": 0.06", "\"cell\": -1",
+                   "cell must be a number in [0.001, 100], not -1"},
+        WrongField{"\"cell\": 0.06", "\"cell\": 1e300", "cell must be a number in"},
+        WrongField{"\"cell\": 0.06", "\"cell\": \"0.06\"", "cell must be a number in"},
+        WrongField{"[1, 2, 0.5]", "[1, 1e300, 0.5]", "pose must be a number in"},
+        WrongField{"\"compass\": 0.1", "\"compass\": 1e300", "compass must be a number in"},
+        WrongField{"\"ring_radius\": 0.2", "\"ring_radius\": -0.2", "ring_radius must be a number"},
+        WrongField{"\"r_max\": 3", "\"r_max\": 1e300", "r_max must be a number in"},
+        WrongField{"\"place\": \"A\"", "\"place\": \"\"", "place must not be empty"},
+        WrongField{"[[0, 0.3, 0.02, 1.5], [0, 0.3, 0.02, null], [0, 0.3, 0.02, 9]]", "[]",
+                   "readings must be a list of one reading or more"},
+        WrongField{"[[0, 0.3, 0.02, 1.5], [0, 0.3, 0.02, null], [0, 0.3, 0.02, 9]]",
+                   "[[0, 0.3, 0.02, 9]]", "readings must hold one within r_min and r_max"},
+        WrongField{"[0, 0.3, 0.02, 9]", "[0, 1e300, 0.02, 9]", "the bearing of a reading must be"},
+        WrongField{"[0, 0.3, 0.02, 9]", "[0, 0.3, 1e300, 9]", "the turn of a reading must be"},
+        WrongField{"[0, 0.3, 0.02, 9]", "[0, 0.3, 0.02, \"9\"]",
+                   "the range of a reading must be"}));
+
+TEST(EpisodeFile, NoPlaceIsLearnedTwice) {
+  const std::string text = problem(kLearn + "\n" + kRecognize + "\n" + kLearn + "\n");
+  EXPECT_NE(text.find("episodes.jsonl:3: place: 'A' is learned for the second time"),
+            std::string::npos)
+      << text;
+}
+
+TEST(EpisodeFile, WhatIsAcceptedIsLearned) {
+  const std::string other = changed(kRecognize, "[\"A\"]", "[\"A\", \"Z\"]");
+  const std::string text = problem(kRecognize + "\n" + other + "\n" + kLearn + "\n");
+  EXPECT_NE(text.find("episodes.jsonl:2: accept: no line learns 'Z'"), std::string::npos) << text;
+  const std::string stranger = changed(kRecognize, "[\"A\"]", "[]");
+  EXPECT_EQ(problem(stranger + "\n" + kLearn), "nothing") << "a place never learned";
+}
 
 TEST(EpisodeFile, NeedsBothALearnedScanAndATrial) {
   EXPECT_NE(problem(kLearn).find("at least one learn and one recognize"), std::string::npos);

@@ -1,0 +1,75 @@
+#include "tools/command_line.h"
+
+#include <boost/program_options.hpp>
+#include <stdexcept>
+
+#include "config/store_path.h"
+
+namespace place_memory::tools {
+namespace {
+
+namespace po = boost::program_options;
+
+constexpr char kStray[] = "stray";
+
+po::options_description describe(Arguments& arguments) {
+  po::options_description options("Options");
+  auto add = options.add_options();
+  add("help,h", "show this text");
+  add("bag", po::value(&arguments.bag)->required(), "rosbag with sonar, heading and tf");
+  add("events", po::value(&arguments.events),
+      "table of what to do: start,end,action,label,heading_window,force [s, s, learn|recognize, "
+      "text, rad, true|false]; +12.5: so many seconds after the first message; force may be left "
+      "out. Without a table every stretch where the robot stands or turns on the spot is "
+      "recognized, "
+      "and learned where no place fits");
+  add("out", po::value(&arguments.out)->required(),
+      "table of results to write, a row for each event");
+  add("params", po::value(&arguments.params)->composing(),
+      "parameters, laid out as config/place_memory.yaml; where several files give one, the last "
+      "holds");
+  add("store", po::value(&arguments.store), "file of places, instead of the parameter store");
+  return options;
+}
+
+// Empty where none was given.
+void makeAbsolute(std::string& store) {
+  const std::string problem = config::checkStorePath(store);
+  if (!problem.empty()) {
+    throw std::runtime_error("--store: " + problem + ", not '" + store + "'");
+  }
+  store = config::absoluteStorePath(store);
+}
+
+}  // namespace
+
+std::optional<Arguments> readArguments(int argc, const char* const* argv, std::ostream& help) {
+  Arguments arguments;
+  const po::options_description options = describe(arguments);
+  std::vector<std::string> stray;
+  po::options_description hidden;
+  hidden.add_options()(kStray, po::value(&stray));
+  po::options_description all;
+  all.add(options).add(hidden);
+  po::positional_options_description positions;
+  positions.add(kStray, -1);
+
+  po::variables_map given;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positions).run(), given);
+  if (given.count("help") > 0) {
+    help << "usage: place_memory_bag --bag F [--events F] --out F [--params F]... [--store F]\n\n"
+         << options
+         << "\nExit status: 0: every event was answered; 3: the table of results is complete, but "
+            "some\nevents failed; 1: nothing was done, or not all of it, as the message says.\n";
+    return std::nullopt;
+  }
+  if (given.count(kStray) > 0) {
+    throw std::runtime_error("what is '" + given[kStray].as<std::vector<std::string>>().front() +
+                             "' for? Each argument needs its option; --help lists them");
+  }
+  po::notify(given);
+  makeAbsolute(arguments.store);
+  return arguments;
+}
+
+}  // namespace place_memory::tools

@@ -1,0 +1,106 @@
+#include "tools/standing_stretches.h"
+
+#include <rosbag/view.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "tools/bag_file.h"
+
+namespace place_memory::tools {
+namespace {
+
+const std::vector<std::string> kTf = {"/tf", "tf"};
+
+std::string withoutSlash(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+bool isNear(const TrackPoint& point, const TrackPoint& stop, double radius) {
+  return std::hypot(point.x - stop.x, point.y - stop.y) <= radius;
+}
+
+double secondsBetween(const TrackPoint& from, const TrackPoint& to) {
+  return to.stamp.toSec() - from.stamp.toSec();
+}
+
+/// One past the last point that belongs to a stretch which begins with `begin`.
+std::size_t endOfStretch(const std::vector<TrackPoint>& track, std::size_t begin,
+                         const StandingOptions& options) {
+  std::size_t end = begin + 1;
+  while (end < track.size() && isNear(track[end], track[begin], options.radius) &&
+         secondsBetween(track[end - 1], track[end]) <= options.gap) {
+    ++end;
+  }
+  return end;
+}
+
+}  // namespace
+
+std::vector<Stretch> standingStretches(const std::vector<TrackPoint>& track,
+                                       const StandingOptions& options) {
+  std::vector<Stretch> stretches;
+  for (std::size_t i = 0; i < track.size();) {
+    const std::size_t end = endOfStretch(track, i, options);
+    if (secondsBetween(track[i], track[end - 1]) < options.shortest) {
+      ++i;
+      continue;
+    }
+    const ros::Time longest = track[i].stamp + ros::Duration(options.longest);
+    stretches.push_back({track[i].stamp, std::min(track[end - 1].stamp, longest)});
+    i = end;
+  }
+  return stretches;
+}
+
+std::vector<TrackPoint> readTrack(const std::string& path, const config::Parameters& parameters) {
+  rosbag::Bag bag;
+  openBag(path, bag);
+  std::vector<TrackPoint> track;
+  rosbag::View view(bag, rosbag::TopicQuery(kTf));
+  for (const rosbag::MessageInstance& message : view) {
+    const auto moved = message.instantiate<tf2_msgs::TFMessage>();
+    if (!moved) continue;
+    for (const auto& transform : moved->transforms) {
+      const auto& at = transform.transform.translation;
+      const bool is_finite = std::isfinite(at.x) && std::isfinite(at.y);
+      if (withoutSlash(transform.header.frame_id) != parameters.odom_frame || !is_finite) continue;
+      track.push_back({transform.header.stamp, at.x, at.y});
+    }
+  }
+  if (track.empty()) {
+    throw std::runtime_error("the bag " + path + " has no tf from the frame " +
+                             parameters.odom_frame + ", by which to find where the robot stands");
+  }
+  std::stable_sort(track.begin(), track.end(),
+                   [](const TrackPoint& a, const TrackPoint& b) { return a.stamp < b.stamp; });
+  return track;
+}
+
+std::vector<Event> findEvents(const std::string& bag, const config::Parameters& parameters) {
+  if (parameters.odom_frame.empty()) {
+    throw std::runtime_error("without odometry (odom_frame) a table --events is needed");
+  }
+  StandingOptions options;
+  options.longest = std::max(options.shortest, parameters.scan.timeout);
+  std::vector<Event> events;
+  for (const Stretch& stretch : standingStretches(readTrack(bag, parameters), options)) {
+    Event event;
+    event.start = stretch.start;
+    event.end = stretch.end;
+    event.action = Action::kRecognize;
+    event.heading_window = parameters.match.heading_window;
+    event.visit = true;
+    events.push_back(event);
+  }
+  if (events.empty()) {
+    throw std::runtime_error("in the bag " + bag + " the robot never stands for " +
+                             std::to_string(options.shortest).substr(0, 3) +
+                             " s; a table --events says which scans to take");
+  }
+  return events;
+}
+
+}  // namespace place_memory::tools
