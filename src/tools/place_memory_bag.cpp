@@ -53,7 +53,7 @@ Result runEvent(Event& event, const core::Scan& scan, core::PlaceMemory& memory)
 }
 
 Result answer(Event& event, const BagScanner& scanner, const BagTimes& times,
-              core::PlaceMemory& memory) {
+              core::PlaceMemory& memory, const std::function<void(const std::string&)>& note) {
   Result result;
   node::ScanOutcome outcome;
   try {
