@@ -55,24 +55,30 @@ class LiveStartTest(live_test.LiveTestCase):
         self.assertIn("occupied", self.refused_parameters({"sonar/occupied": 0.3}))
 
     def test_it_says_what_it_listens_to(self):
-        self.start(sonar_topics=["front", "rear"], heading_topic="imu/data")
-        self.wait(lambda: "odometry odom to base_link" in self.node.output(), "the line at start")
-        namespace = self.node.name.rsplit("/", 1)[0]
-        for topic in ("front", "rear", "imu/data", "cmd_vel"):
-            self.assertIn(namespace + "/" + topic, self.node.output())
+        node = live_test.Node("/telling", {"sonar_topics": ["front", "/rear"],
+                                           "heading_topic": "imu/data", "odom_frame": "wheels"},
+                              os.path.join(self.folder, "telling.log"))
+        self.addCleanup(node.stop)
+        node.wait_for_services()
+        self.wait(lambda: "turns by" in node.output(), "the line at start")
+        for word in ("sonar /telling/front, /rear", "heading /telling/imu/data",
+                     "wheels -> base_link", "/telling/cmd_vel"):
+            self.assertIn(word, node.output())
 
     def test_a_name_that_is_remapped_in_vain_is_said(self):
         log = os.path.join(self.folder, "remapped.log")
         for parameters, is_vain in (({}, False), ({"sonar_topics": ["rear", "sonar"]}, False),
                                     ({"sonar_topics": ["rear"]}, True)):
             with self.subTest(parameters=parameters):
-                node = live_test.Node("/remapped_%d" % is_vain, parameters, log,
+                node = live_test.Node("/remapped_%d" % len(parameters.get("sonar_topics", "")),
+                                      parameters, log,
                                       ["sonar:=/ring", "heading:=heading"])
                 self.addCleanup(node.stop)
                 node.wait_for_services()
+                self.wait(lambda: "turns by" in node.output(), "the line at start")
+                node.stop()
                 self.assertEqual("sonar is remapped to /ring" in node.output(), is_vain)
                 self.assertNotIn("heading is remapped", node.output())
-                node.stop()
 
     def test_places_outlive_the_node(self):
         self.start()

@@ -39,14 +39,12 @@ void sayTopics(const ros::NodeHandle& names, const config::Parameters& parameter
   for (const std::string& topic : parameters.sonar_topics) {
     sonars.push_back(names.resolveName(topic));
   }
-  const std::string odometry = parameters.odom_frame.empty() ? "no odometry"
-                                                             : "odometry " + parameters.odom_frame +
-                                                                   " to " + parameters.base_frame;
-  ROS_INFO("sonar %s, heading %s, tf with %s and the sensors in %s, map %s, turns by %s",
+  const std::string tf = (parameters.odom_frame.empty() ? "" : parameters.odom_frame + " -> ") +
+                         parameters.base_frame + " -> sensors";
+  ROS_INFO("sonar %s; heading %s; tf %s; map frame %s; turns by %s",
            boost::algorithm::join(sonars, ", ").c_str(),
-           names.resolveName(parameters.heading_topic).c_str(), odometry.c_str(),
-           parameters.base_frame.c_str(), parameters.map_frame.c_str(),
-           names.resolveName(kCommandTopic).c_str());
+           names.resolveName(parameters.heading_topic).c_str(), tf.c_str(),
+           parameters.map_frame.c_str(), names.resolveName(kCommandTopic).c_str());
   for (const std::string& sentence : vainRemappings(names, parameters)) {
     ROS_WARN("%s", sentence.c_str());
   }
