@@ -34,6 +34,8 @@ TransformInput::~TransformInput() {
 
 void TransformInput::add(const tf2_msgs::TFMessage& message, bool is_static) {
   const std::chrono::nanoseconds now = rosNow();
+  // Before simulated time runs nobody can say which stamps may be.
+  if (now.count() == 0 && !is_static) return;
   for (const geometry_msgs::TransformStamped& transform : message.transforms) {
     const auto problem = addTransform(transform, is_static, now, buffer_);
     if (!problem) continue;

@@ -74,6 +74,7 @@ std::optional<std::string> ScanCollector::keepHeading(const sensor_msgs::Imu& me
                                                       std::chrono::nanoseconds received) {
   const CheckedHeading heading = checkHeading(message);
   if (heading.problem) return heading.problem;
+  if (received.count() == 0) return std::nullopt;  // simulated time does not run yet
   const auto stamp = toNanoseconds(message.header.stamp);
   if (stamp > latestCredible(received)) {
     return "it is stamped more than a second ahead of the clock";

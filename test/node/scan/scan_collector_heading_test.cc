@@ -114,5 +114,14 @@ TEST_F(ScanCollectorTest, WithoutOdometryTheLastHeadingServesWhereNoOtherComes) 
   EXPECT_EQ(collector().readings(), 1U);
 }
 
+TEST_F(ScanCollectorTest, AHeadingBeforeSimulatedTimeRunsIsLeftOutWithoutAWord) {
+  sensor_msgs::Imu m;
+  m.header.stamp = ros::Time(kStart);
+  m.orientation.w = 1.0;
+  addHeading(m, 0.0);
+  EXPECT_EQ(collector().headings().size(), 0U);
+  EXPECT_TRUE(collector().problems().empty());
+}
+
 }  // namespace
 }  // namespace place_memory::node
