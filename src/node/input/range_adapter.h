@@ -4,6 +4,7 @@
 #include <sensor_msgs/Range.h>
 
 #include <string>
+#include <utility>
 
 #include "node/input/adapted_reading.h"
 #include "node/input/sensor_registry.h"
