@@ -193,6 +193,24 @@ TEST_F(PlaceStoreTest, DoesNotWriteOverWhatAnotherProgramWroteMeanwhile) {
   EXPECT_EQ(open().map().find(2)->label, "b");
 }
 
+TEST_F(PlaceStoreTest, SaysSoWhereItCannotBeOpenedAnewForWriting) {
+  fill();
+  std::optional<PlaceStore> store;
+  {
+    const ReadOnly read_only(path_);
+    store.emplace(open());
+  }
+  const std::string good = readFile(path_);
+  fs::remove(path_);
+  writeFile(path_, "something else");
+  EXPECT_THROW(rename(*store, 1, "z"), StoreError);
+  EXPECT_THROW(store->grid(1), StoreError);
+  EXPECT_EQ(readFile(path_), "something else");
+  writeFile(path_, good);
+  rename(*store, 1, "z");
+  expectThreePlaces(*store);
+}
+
 TEST_F(PlaceStoreTest, OnAFullDiskItIsReadAndWritingResumes) {
   fill();
   std::optional<PlaceStore> store;
