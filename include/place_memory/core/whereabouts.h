@@ -18,8 +18,8 @@ namespace place_memory::core {
 /// joined: the places of the later session are moved to where they belong in the earlier one's
 /// frame. What was overtaken, by a newer scan learned or recognized or by a jump, changes nothing.
 struct Whereabouts {
-  /// Rises with every change, and with every answer that was not overtaken: of two answers the newer
-  /// one has the higher version.
+  /// Rises with every change, and with every answer that was not overtaken: of two answers the
+  /// newer one has the higher version.
   std::uint64_t version = 0;
   /// In whose frame the next place is learned; kNoSession: that place begins a new one.
   SessionId session = kNoSession;

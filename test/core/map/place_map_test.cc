@@ -2,73 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
-#include <map>
-#include <random>
-#include <set>
 #include <stdexcept>
-#include <utility>
 
-#include "place_memory/core/map_change.h"
+#include "core/map/place_map_fixture.h"
 
 namespace place_memory::core {
 namespace {
 
-using std::chrono::nanoseconds;
-
-Place makePlace(PlaceId id, const std::string& label) {
-  Place place;
-  place.id = id;
-  place.label = label;
-  return place;
-}
-
-PlaceLink makeLink(PlaceId first, PlaceId second) {
-  PlaceLink link;
-  link.first = first;
-  link.second = second;
-  link.first_from_second = {1.0, 2.0, 0.3};
-  return link;
-}
-
-MapEdit added(PlaceId id, const std::string& label) {
-  return PlaceAdded{makePlace(id, label), nullptr, nullptr};
-}
-
-void edit(PlaceMap& map, std::vector<MapEdit> edits) {
-  map.apply({map.version() + 1, nanoseconds(7), std::move(edits)});
-}
-
 PlaceMap makeTriangle() {
   return PlaceMap({makePlace(1, "a"), makePlace(2, "b"), makePlace(3, "c")},
                   {makeLink(1, 2), makeLink(2, 3), makeLink(1, 3)}, 5, nanoseconds(55));
-}
-
-std::vector<PlaceId> idsOf(const PlaceMap& map) {
-  std::vector<PlaceId> ids;
-  for (const Place& place : map.places()) ids.push_back(place.id);
-  return ids;
-}
-
-std::vector<std::pair<PlaceId, PlaceId>> endsOf(const PlaceMap& map) {
-  std::vector<std::pair<PlaceId, PlaceId>> ends;
-  for (const PlaceLink& link : map.links()) ends.emplace_back(link.first, link.second);
-  return ends;
-}
-
-using Ends = std::vector<std::pair<PlaceId, PlaceId>>;
-using Ids = std::vector<PlaceId>;
-
-void expectSame(const PlaceMap& one, const PlaceMap& other) {
-  EXPECT_EQ(one.version(), other.version());
-  EXPECT_EQ(one.stamp(), other.stamp());
-  EXPECT_TRUE(one.places() == other.places());
-  EXPECT_TRUE(one.links() == other.links());
-  for (const Place& place : one.places()) {
-    EXPECT_EQ(other.find(place.label), other.find(place.id));
-    EXPECT_EQ(one.neighbours(place.id), other.neighbours(place.id));
-  }
 }
 
 TEST(PlaceMap, StartsEmpty) {
@@ -239,103 +183,6 @@ TEST(PlaceMap, ACopyIsASnapshot) {
   edit(map, {MapCleared{}});
   EXPECT_EQ(map.size(), 0U);
   expectSame(snapshot, makeTriangle());
-}
-
-/// A set of places and a set of links that are searched through.
-class PlainMap {
- public:
-  /// Whether the edit fits; then it is made.
-  bool add(PlaceId id) { return ids_.insert(id).second; }
-  bool remove(PlaceId id) {
-    for (auto link = links_.begin(); link != links_.end();) {
-      link = link->first == id || link->second == id ? links_.erase(link) : std::next(link);
-    }
-    return ids_.erase(id) > 0;
-  }
-  bool link(PlaceId one, PlaceId other) {
-    if (one >= other || ids_.count(one) == 0 || ids_.count(other) == 0) return false;
-    links_.insert({one, other});
-    return true;
-  }
-  bool unlink(PlaceId one, PlaceId other) { return links_.erase(std::minmax(one, other)) > 0; }
-  bool learn(PlaceId one, PlaceId other) const { return links_.count(std::minmax(one, other)) > 0; }
-  void clear() {
-    ids_.clear();
-    links_.clear();
-  }
-
-  Ids ids() const { return Ids(ids_.begin(), ids_.end()); }
-  Ends ends() const { return Ends(links_.begin(), links_.end()); }
-
- private:
-  std::set<PlaceId> ids_;
-  std::set<std::pair<PlaceId, PlaceId>> links_;
-};
-
-class RandomEdits {
- public:
-  /// A random edit, made in `plain` where it fits; whether it does.
-  std::pair<MapEdit, bool> next(PlainMap& plain) {
-    const PlaceId one = id();
-    const PlaceId other = id();
-    switch (random_() % 9) {
-      case 0:
-      case 1:
-      case 2:
-        return {added(one, "place " + std::to_string(one)), plain.add(one)};
-      case 3:
-        return {PlaceRemoved{one}, plain.remove(one)};
-      case 4:
-        return {LinkRemoved{one, other}, plain.unlink(one, other)};
-      case 5:
-        return {LinkLearned{one, other, {1, 1, nanoseconds(1)}}, plain.learn(one, other)};
-      case 6:
-        if (random_() % 100 == 0) {
-          plain.clear();
-          return {MapCleared{}, true};
-        }
-        [[fallthrough]];
-      default:
-        return {LinkAdded{makeLink(one, other)}, plain.link(one, other)};
-    }
-  }
-
- private:
-  PlaceId id() { return static_cast<PlaceId>(random_() % 20) + 1; }
-
-  std::mt19937 random_{7};
-};
-
-TEST(PlaceMap, AgreesWithPlainSetsAfterRandomChanges) {
-  RandomEdits random;
-  PlaceMap map;
-  PlainMap plain;
-  int made = 0;
-  int refused = 0;
-  for (int i = 0; i < 3000; ++i) {
-    PlainMap after = plain;
-    std::vector<MapEdit> edits;
-    bool fits = true;
-    for (int length = 1 + i % 3; length > 0; --length) {
-      const auto [one, one_fits] = random.next(after);
-      edits.push_back(one);
-      fits = fits && one_fits;
-    }
-    if (fits) {
-      edit(map, edits);
-      plain = after;
-      ++made;
-    } else {
-      EXPECT_THROW(edit(map, edits), std::invalid_argument);
-      ++refused;
-    }
-    ASSERT_EQ(idsOf(map), plain.ids());
-    ASSERT_EQ(endsOf(map), plain.ends());
-    ASSERT_EQ(map.version(), static_cast<std::uint64_t>(made));
-    expectSame(map, PlaceMap(map.places(), map.links(), map.version(), map.stamp()));
-  }
-  EXPECT_GT(made, 300);
-  EXPECT_GT(refused, 300);
 }
 
 }  // namespace
