@@ -199,6 +199,7 @@ class PlaceStore::Impl {
     try {
       open();
     } catch (const StoreError& error) {
+      reader_.reset();
       why_read_only_ = error.what();
       throw;
     }
