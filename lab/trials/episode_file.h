@@ -14,7 +14,8 @@ namespace place_memory::trials {
 ///   [m]; fov [rad], r_min, r_max [m] of every sensor; cell, the cell size that suits it [m];
 ///   readings, each [set, bearing of the sensor rad, turn of the base since the start rad, range m
 ///   or null for no echo]. Ranges outside [r_min, r_max] are left out; one
-///   reading at least must remain. No place is learned twice, and whatever a line accepts is learned.
+///   reading at least must remain. No place is learned twice, and whatever a line accepts is
+///   learned.
 /// Throws std::runtime_error naming the file, the line, the field and what is wrong with it.
 TrialSet readEpisodeFile(const std::string& path);
 

@@ -10,6 +10,7 @@
 #include "node/input/range_adapter.h"
 #include "node/input/transform_filter.h"
 #include "node/ros_time.h"
+#include "tools/bag_file.h"
 
 namespace place_memory::tools {
 namespace {
@@ -37,11 +38,7 @@ std::string joined(const std::map<std::string, std::string>& types) {
 
 BagScanner::BagScanner(const std::string& path, const config::Parameters& parameters)
     : parameters_(parameters) {
-  try {
-    bag_.open(path, rosbag::bagmode::Read);
-  } catch (const rosbag::BagException& error) {
-    throw std::runtime_error("cannot read the bag " + path + ": " + error.what());
-  }
+  openBag(path, bag_);
   requireTopics(path);
   readStaticTransforms();
 }

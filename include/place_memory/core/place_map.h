@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "place_memory/core/place.h"
+#include "place_memory/export.h"
 
 namespace place_memory::core {
 
@@ -58,7 +59,7 @@ constexpr double kUnknownVariance = 1e6;
 ///
 /// Places stand in one array, by rising id. A place with a new highest id is added at its end,
 /// which costs some microseconds however many there are. Not thread-safe.
-class PlaceMap {
+class PLACE_MEMORY_PUBLIC PlaceMap {
  public:
   /// Without a place, at version 0.
   PlaceMap() = default;

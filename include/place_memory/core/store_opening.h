@@ -6,10 +6,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "place_memory/export.h"
+
 namespace place_memory::core {
 
 /// What is wrong with a store, in a sentence that names its file.
-class StoreError : public std::runtime_error {
+class PLACE_MEMORY_PUBLIC StoreError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

@@ -63,6 +63,7 @@ bool works() {
   const auto preset = place_memory::config::loadPreset("evidence");
   core::PlaceMemoryOptions options;
   options.recognizer.metric = preset.metric;
+  options.recognizer.rescoring = preset.rescoring;
   options.recognizer.calibration = preset.calibration;
   core::PlaceMemory memory(options);
   memory.learn(scanRoom(2.0, 1.5, 3.0, 2.5, 100), "kitchen");
