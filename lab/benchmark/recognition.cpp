@@ -104,7 +104,9 @@ void fullSearch(State& state, Setting& setting, std::size_t size, bool any_headi
     const Query& query = *queries[next++ % queries.size()];
     const core::QueryPlanes planes(query.scan.grid, core::kHeadingStep, window.rotations);
     const core::PlaceAlignment found =
-        core::searchPlaces(planes, index, metric, window, options.method, nullptr).front();
+        core::searchPlaces(planes, index, metric, window, options.method, nullptr,
+                           support::WorkerPool::shared())
+            .front();
     const ScoredPlace known{found.place, found.alignment.score};
     const ScoredPlace best = FullSearch(planes, metric, window).best(index, known);
     agree += known.id == best.id ? 1 : 0;
