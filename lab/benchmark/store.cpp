@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iterator>
+#include <memory>
 
 #include "core/store/place_store.h"
 #include "place_memory/core/place_memory.h"
@@ -77,16 +78,30 @@ void index(State& state, Setting& setting, std::size_t size) {
 }  // namespace
 
 void writeStore(const std::string& path, const SyntheticMemory& memory) {
+  constexpr std::size_t kEditsAtOnce = 8192;  // some megabytes of grids
   core::PlaceStore store(path, core::kDefaultCellSize);
-  store.atOnce([&] {
-    core::PlaceId previous = core::kNoPlace;
-    memory.forEach([&](core::PlaceId id, const KnownPlace& known) {
-      core::Place place;
-      place.label = "place " + std::to_string(id);
-      place.map_from_place = known.map_from_place;
-      previous = store.add(place, known.grid, previous);
-    });
+  core::MapChange change;
+  const auto commit = [&] {
+    ++change.version;
+    store.commit(change);
+    change.edits.clear();
+  };
+  core::PlaceId previous = core::kNoPlace;
+  memory.forEach([&](core::PlaceId id, const KnownPlace& known) {
+    core::Place place;
+    place.id = id;
+    place.label = "place " + std::to_string(id);
+    place.map_from_place = known.map_from_place;
+    change.edits.emplace_back(
+        core::PlaceAdded{place, std::make_shared<core::EvidenceGrid>(known.grid), nullptr});
+    core::PlaceLink link;
+    link.first = previous;
+    link.second = id;
+    if (previous != core::kNoPlace) change.edits.emplace_back(core::LinkAdded{link});
+    previous = id;
+    if (change.edits.size() >= kEditsAtOnce) commit();
   });
+  commit();
 }
 
 void registerMemory(Setting& setting) {

@@ -152,7 +152,9 @@ class PlaceStore::Impl {
         std::make_unique<StoreReader>(database, cell_size_, head ? &head_ : nullptr, damages_);
     opened_ = reader_->readMap();
     ids_ = idsOf(opened_->places);
-    are_labels_known_ = false;
+    labels_.clear();
+    for (const Place& place : opened_->places) labels_.add(place.label);
+    are_labels_known_ = true;
     if (check_all || !head) {
       reader_->forEachPlanes(ids_, nullptr, [](PlaceId, const CellPlanes&) {});
       reader_->forEachGrid(ids_, [](PlaceId, const EvidenceGrid&) {});
@@ -197,6 +199,7 @@ class PlaceStore::Impl {
     try {
       open();
     } catch (const StoreError& error) {
+      reader_.reset();
       why_read_only_ = error.what();
       throw;
     }
@@ -208,6 +211,7 @@ class PlaceStore::Impl {
     if (!why_read_only_.empty()) throw StoreError(why_read_only_);
   }
 
+  // After a change that failed half-way.
   void knowLabels() {
     if (are_labels_known_) return;
     labels_.clear();

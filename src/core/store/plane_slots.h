@@ -13,7 +13,7 @@ namespace place_memory::core {
 
 /// The bit planes of this many places lie in one row, each in a slot of its own: a start reads them
 /// in stretches, and a place that is learned or changed writes its slot alone.
-constexpr std::int64_t kPlaneSlots = 32;
+constexpr std::int64_t kPlaneSlots = 16;
 constexpr std::size_t kPlaneSlotBytes = 2 * sizeof(std::uint64_t) * (1 + kGridSize);
 
 /// A slot of the `bytes` of a row, of which there may be too few.

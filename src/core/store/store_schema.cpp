@@ -58,8 +58,8 @@ const std::vector<std::string> kTables = {
     checksum INTEGER
   ))",
     R"(CREATE TABLE planes(
-    id INTEGER PRIMARY KEY,     -- place_id / 32
-    slots BLOB                  -- one of each place_id % 32: id, checksum, occupied, empty
+    id INTEGER PRIMARY KEY,     -- place_id / 16
+    slots BLOB                  -- one of each place_id % 16: id, checksum, occupied, empty
   ))",
     R"(CREATE TABLE readings(
     place_id INTEGER PRIMARY KEY,

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "core/store/full_disk.h"
 #include "core/store/old_store_fixture.h"
 
 namespace place_memory::core {
@@ -121,19 +121,13 @@ TEST_P(StoreMigrationTest, IsReadFromAFullDiskAndMigratedLater) {
   const std::string before = readFile(path_);
   std::unique_ptr<PlaceStore> store;
   {
-    signal(SIGXFSZ, SIG_IGN);
-    rlimit limit{};
-    getrlimit(RLIMIT_FSIZE, &limit);
-    const rlimit none{0, limit.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &none);
+    const FullDisk full;
     store = std::make_unique<PlaceStore>(path_, kDefaultCellSize);
     expectOldPlaces(*store);
     EXPECT_NE(store->whyReadOnly(), "");
     EXPECT_THROW(rename(*store, 1, "z"), StoreError);
     expectOldPlaces(*store);
     EXPECT_THROW(open(), StoreError);  // the file is locked
-    setrlimit(RLIMIT_FSIZE, &limit);
-    signal(SIGXFSZ, SIG_DFL);
   }
   EXPECT_EQ(readFile(path_), before);
   rename(*store, 1, "z");
