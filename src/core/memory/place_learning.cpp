@@ -67,14 +67,14 @@ PlaceMemory::Learned PlaceMemory::Impl::learn(const Scan& scan, const std::strin
 
 PlaceMemory::Learned PlaceMemory::Impl::learnNow(const Scan& scan, const std::string& label,
                                                  std::uint64_t question) {
+  Learned learned;
+  Place& place = learned.place;
+  place.label = newLabel(state_.map, label);
   const Place* same = state_.map.find(learned_scans_.find(scan));
   if (same != nullptr) {
     throw PlaceMemoryError(Reason::kAlreadyLearned, "this scan is the place \"" + same->label +
                                                         "\" already: make another scan");
   }
-  Learned learned;
-  Place& place = learned.place;
-  place.label = newLabel(state_.map, label);
   const SessionId next_session = writer_.query([&](PlaceStore& store) {
     place.id = store.nextId();
     return store.nextSession();

@@ -77,6 +77,7 @@ TEST_F(PlaceMemoryTest, AScanBecomesAPlaceOnce) {
   for (const Scan& scan : {numbered, stamped}) {
     const Place place = memory_.learn(scan, "").place;
     expectRefused(Reason::kAlreadyLearned, [&] { memory_.learn(scan, "again"); });
+    expectRefused(Reason::kLabelTaken, [&] { memory_.learn(scan, place.label); });
     memory_.remove(place.label);
     EXPECT_NO_THROW(memory_.learn(scan, ""));
   }
