@@ -186,7 +186,9 @@ class LiveMapTest(live_test.LiveTestCase):
         self.node.stop()
         self.start_node(store=store)
         self.assertEqual(self.graph(), graph)
-        self.assertEqual(self.node.latched("place_graph", PlaceGraph), graph)
+        latched = self.node.latched("place_graph", PlaceGraph)
+        self.assertEqual((latched.header.stamp, latched.version, latched.places),
+                         (graph.header.stamp, graph.version, graph.places))
         change = self.node.latched("map_changes", MapChange)
         self.assertEqual((change.version, change.header.stamp, change.added),
                          (graph.version, graph.header.stamp, []))

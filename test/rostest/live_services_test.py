@@ -111,6 +111,7 @@ class LiveServicesTest(live_test.LiveTestCase):
     def test_learn_refuses_labels_and_makes_one_up(self):
         self.start_node()
         self.learn("hall", sonar_room.HALL)
+        self.scan_well()
         for label, status in (("hall", LearnPlaceResponse.LABEL_TAKEN),
                               ("new\nline", LearnPlaceResponse.INVALID_LABEL),
                               ("nul\0", LearnPlaceResponse.INVALID_LABEL),

@@ -87,13 +87,13 @@ class LiveStartTest(live_test.LiveTestCase):
         self.assertIn("0 places known, kept in " + self.store, self.node.output())
         self.assertIn('learned "hall"', self.node.output())
         self.start()
-        self.wait(lambda: "2 places known, kept in " + self.store in self.node.output(),
-                  "the line at start")
         self.assertEqual(self.node.call("list_places").places, places)
         self.assert_recognized("hall", sonar_room.HALL)
         self.assert_recognized("study", sonar_room.STUDY)
         newest = self.node.call("learn_place", label="")
         self.assertGreater(newest.place_id, places[-1].id)
+        self.assertEqual(self.node.stop(), 0)
+        self.assertIn("2 places known, kept in " + self.store, self.node.output())
 
     def test_places_outlive_a_node_that_is_killed(self):
         self.start()

@@ -92,7 +92,9 @@ class LiveTopicsTest(live_test.LiveTestCase):
         graph = self.latched_graph(["hall", "study"])
         ids = [place.id for place in graph.places]
         self.assertEqual([(link.first_id, link.second_id) for link in graph.links], [tuple(ids)])
-        self.assertEqual(graph, self.graph())
+        newest = self.graph()
+        self.assertEqual((graph.header.stamp, graph.version, graph.places, graph.links),
+                         (newest.header.stamp, newest.version, newest.places, newest.links))
         lines = [marker for marker in self.markers() if marker.type == Marker.LINE_LIST]
         self.assertEqual([len(marker.points) for marker in lines], [2])
         self.assertEqual(self.current_place(), "study")
