@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "node/node_names.h"
+#include "node/base/node_names.h"
 
 namespace place_memory::node {
 namespace {

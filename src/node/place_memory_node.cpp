@@ -8,11 +8,11 @@
 #include "config/memory_options.h"
 #include "core/store/store_file.h"
 #include "node/answer/answer_words.h"
-#include "node/conversions.h"
+#include "node/base/conversions.h"
+#include "node/base/node_names.h"
+#include "node/base/ros_time.h"
 #include "node/input/sensor_placement.h"
 #include "node/map/memory_diagnostics.h"
-#include "node/node_names.h"
-#include "node/ros_time.h"
 #include "node/scan/input_diagnostics.h"
 
 namespace place_memory::node {

@@ -15,7 +15,7 @@
 #include "node/answer/answer_publisher.h"
 #include "node/answer/kept_scans.h"
 #include "node/answer/place_services.h"
-#include "node/guarded_queue.h"
+#include "node/base/guarded_queue.h"
 #include "node/input/transform_input.h"
 #include "node/map/map_frame_broadcaster.h"
 #include "node/map/map_publisher.h"

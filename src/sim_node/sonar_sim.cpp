@@ -11,7 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "node/conversions.h"
+#include "node/base/conversions.h"
 #include "sim_node/world_markers.h"
 
 namespace place_memory::sim_node {

@@ -7,9 +7,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "node/base/ros_time.h"
 #include "node/input/range_adapter.h"
 #include "node/input/transform_filter.h"
-#include "node/ros_time.h"
 #include "tools/bag_file.h"
 
 namespace place_memory::tools {

@@ -38,8 +38,8 @@ TEST(Layers, TheTableKnowsEveryWrongDirection) {
       {"src/core/store/place_store.h", "core/index/place_index.h"},
       {"src/core/store/place_store.h", "config/parameters.h"},
       {"include/place_memory/core/recognition.h", "place_memory/core/place_memory.h"},
-      {"src/core/match/climber.h", "node/conversions.h"},
-      {"src/config/parameters.h", "node/conversions.h"},
+      {"src/core/match/climber.h", "node/base/conversions.h"},
+      {"src/config/parameters.h", "node/base/conversions.h"},
       {"src/sim/world/world.h", "sim/robot/simulation.h"},
       {"src/sim/scene/scene.h", "config/parameters.h"},
       {"src/node/input/planar.h", "node/scan/scan_server.h"},
@@ -50,7 +50,7 @@ TEST(Layers, TheTableKnowsEveryWrongDirection) {
       {"src/rviz/panel.cpp", "place_memory/core/place.h"},
       {"lab/trials/trial_set.h", "training/candidates.h"},
       {"lab/training/candidates.h", "ros/ros.h"},
-      {"lab/training/candidates.h", "node/conversions.h"},
+      {"lab/training/candidates.h", "node/base/conversions.h"},
       {"src/core/match/climber.h", "benchmark/benchmark.h"},
   };
   for (const auto& [file, header] : wrong) {

@@ -70,8 +70,9 @@ const std::map<std::string, Parts> kMayUse{
     {"sim/robot", {"sim/building", "sim/senses"}},
     {"sim_node", {"sim/robot", "node"}},
 
-    {"node/input", {"config", "ros"}},
-    {"node/scan", {"config", "ros", "node/input"}},
+    {"node/base", {"config", "ros"}},
+    {"node/input", {"node/base"}},
+    {"node/scan", {"node/input"}},
     {"node/answer", {"node"}},
     {"node/map", {"node"}},
     {"node/drive", {"node"}},
@@ -91,9 +92,6 @@ const std::map<std::string, Parts> kMayUse{
 const std::map<std::string, Parts> kExceptions{
     {"lab/benchmark/live_client.cpp", {"ros"}},  // measures a live node over its service
 };
-
-/// Headers that scan and input share with the rest of the node.
-const Parts kOfWholeNode{"node/conversions.h", "node/node_names.h"};
 
 struct Rule {
   std::regex pattern;
@@ -167,10 +165,9 @@ std::vector<std::string> violations(const std::string& file,
   for (const std::string& header : headers) {
     if (fs::exists((kRoot / file).parent_path() / header)) continue;  // a private one beside it
     const std::string used = partOfHeader(header);
-    const bool shared = part->rfind("node/", 0) == 0 && kOfWholeNode.count(header) == 1;
     const auto exception = kExceptions.find(file);
     const bool excepted = exception != kExceptions.end() && exception->second.count(used) == 1;
-    if (shared || excepted || mayInclude(*part, used)) continue;
+    if (excepted || mayInclude(*part, used)) continue;
     found.push_back(file + " (" + *part + ") includes " + header + " (" + used + ")");
   }
   return found;

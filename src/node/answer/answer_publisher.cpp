@@ -4,8 +4,8 @@
 #include <ros/console.h>
 #include <std_msgs/String.h>
 
-#include "node/conversions.h"
-#include "node/node_names.h"
+#include "node/base/conversions.h"
+#include "node/base/node_names.h"
 
 namespace place_memory::node {
 

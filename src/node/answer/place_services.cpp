@@ -10,10 +10,10 @@
 
 #include "node/answer/answer_words.h"
 #include "node/answer/service_status.h"
-#include "node/conversions.h"
+#include "node/base/conversions.h"
+#include "node/base/node_names.h"
+#include "node/base/ros_time.h"
 #include "node/map/map_messages.h"
-#include "node/node_names.h"
-#include "node/ros_time.h"
 
 namespace place_memory::node {
 namespace {

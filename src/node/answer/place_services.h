@@ -19,7 +19,7 @@
 #include "config/parameters.h"
 #include "node/answer/answer_publisher.h"
 #include "node/answer/kept_scans.h"
-#include "node/guarded_queue.h"
+#include "node/base/guarded_queue.h"
 #include "place_memory/core/place_memory.h"
 
 namespace place_memory::node {

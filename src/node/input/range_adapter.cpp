@@ -1,7 +1,7 @@
 #include "node/input/range_adapter.h"
 
+#include "node/base/ros_time.h"
 #include "node/input/range_check.h"
-#include "node/ros_time.h"
 
 namespace place_memory::node {
 

@@ -2,8 +2,8 @@
 
 #include <exception>
 
-#include "node/conversions.h"
-#include "node/ros_time.h"
+#include "node/base/conversions.h"
+#include "node/base/ros_time.h"
 
 namespace place_memory::node {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <exception>
 
-#include "node/ros_time.h"
+#include "node/base/ros_time.h"
 
 namespace place_memory::node {
 namespace {

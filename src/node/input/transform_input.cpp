@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "node/base/ros_time.h"
 #include "node/input/transform_filter.h"
-#include "node/ros_time.h"
 
 namespace place_memory::node {
 namespace {

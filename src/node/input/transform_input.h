@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/sensing/recent_count.h"
-#include "node/guarded_queue.h"
+#include "node/base/guarded_queue.h"
 
 namespace place_memory::node {
 

@@ -4,8 +4,8 @@
 
 #include <chrono>
 
-#include "node/conversions.h"
-#include "node/ros_time.h"
+#include "node/base/conversions.h"
+#include "node/base/ros_time.h"
 
 namespace place_memory::node {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "node/conversions.h"
+#include "node/base/conversions.h"
 
 namespace place_memory::node {
 namespace {

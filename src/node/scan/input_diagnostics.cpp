@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include "node/base/ros_time.h"
 #include "node/input/sensor_placement.h"
-#include "node/ros_time.h"
 
 namespace place_memory::node {
 namespace {

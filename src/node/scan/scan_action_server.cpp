@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "node/ros_time.h"
+#include "node/base/ros_time.h"
 
 namespace place_memory::node {
 namespace {

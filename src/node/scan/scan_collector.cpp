@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "node/base/ros_time.h"
 #include "node/input/heading_check.h"
-#include "node/ros_time.h"
 
 namespace place_memory::node {
 namespace {

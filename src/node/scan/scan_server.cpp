@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "node/conversions.h"
-#include "node/node_names.h"
-#include "node/ros_time.h"
+#include "node/base/conversions.h"
+#include "node/base/node_names.h"
+#include "node/base/ros_time.h"
 #include "node/scan/scan_topics.h"
 
 namespace place_memory::node {

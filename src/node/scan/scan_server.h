@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "core/sensing/clock_watch.h"
-#include "node/guarded_queue.h"
+#include "node/base/guarded_queue.h"
 #include "node/input/range_adapter.h"
 #include "node/input/sensor_registry.h"
 #include "node/input/transform_input.h"

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "node/ros_time.h"
+#include "node/base/ros_time.h"
 
 namespace place_memory::node {
 

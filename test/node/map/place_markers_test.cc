@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "node/conversions.h"
+#include "node/base/conversions.h"
 #include "node/map/map_fixture.h"
 
 namespace place_memory::node {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "node/base/ros_time.h"
 #include "node/input/range_adapter.h"
-#include "node/ros_time.h"
 #include "node/scan/scan_collector.h"
 
 namespace place_memory::node {

@@ -1,4 +1,4 @@
-#include "node/guarded_queue.h"
+#include "node/base/guarded_queue.h"
 
 #include <ros/console.h>
 
@@ -6,7 +6,7 @@
 #include <exception>
 #include <utility>
 
-#include "node/ros_time.h"
+#include "node/base/ros_time.h"
 
 namespace place_memory::node {
 namespace {

@@ -1,4 +1,4 @@
-#include "node/guarded_queue.h"
+#include "node/base/guarded_queue.h"
 
 #include <gtest/gtest.h>
 

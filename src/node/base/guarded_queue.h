@@ -1,5 +1,5 @@
-#ifndef PLACE_MEMORY_NODE_GUARDED_QUEUE_H
-#define PLACE_MEMORY_NODE_GUARDED_QUEUE_H
+#ifndef PLACE_MEMORY_NODE_BASE_GUARDED_QUEUE_H
+#define PLACE_MEMORY_NODE_BASE_GUARDED_QUEUE_H
 
 #include <ros/callback_queue.h>
 
@@ -36,4 +36,4 @@ class GuardedQueue : public ros::CallbackQueue {
 
 }  // namespace place_memory::node
 
-#endif  // PLACE_MEMORY_NODE_GUARDED_QUEUE_H
+#endif  // PLACE_MEMORY_NODE_BASE_GUARDED_QUEUE_H

@@ -1,4 +1,4 @@
-#include "node/conversions.h"
+#include "node/base/conversions.h"
 
 #include <algorithm>
 #include <cmath>

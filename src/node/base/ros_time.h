@@ -1,5 +1,5 @@
-#ifndef PLACE_MEMORY_NODE_ROS_TIME_H
-#define PLACE_MEMORY_NODE_ROS_TIME_H
+#ifndef PLACE_MEMORY_NODE_BASE_ROS_TIME_H
+#define PLACE_MEMORY_NODE_BASE_ROS_TIME_H
 
 #include <ros/time.h>
 
@@ -42,4 +42,4 @@ inline std::chrono::nanoseconds steadyNow() {
 
 }  // namespace place_memory::node
 
-#endif  // PLACE_MEMORY_NODE_ROS_TIME_H
+#endif  // PLACE_MEMORY_NODE_BASE_ROS_TIME_H

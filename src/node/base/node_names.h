@@ -1,5 +1,5 @@
-#ifndef PLACE_MEMORY_NODE_NODE_NAMES_H
-#define PLACE_MEMORY_NODE_NODE_NAMES_H
+#ifndef PLACE_MEMORY_NODE_BASE_NODE_NAMES_H
+#define PLACE_MEMORY_NODE_BASE_NODE_NAMES_H
 
 /// Every name the node has on the wire. Those that are parameters (frames, sonar and heading
 /// topics) are in config/parameters.h.
@@ -30,4 +30,4 @@ constexpr char kGetGraphService[] = "get_graph";
 
 }  // namespace place_memory::node
 
-#endif  // PLACE_MEMORY_NODE_NODE_NAMES_H
+#endif  // PLACE_MEMORY_NODE_BASE_NODE_NAMES_H

@@ -1,4 +1,4 @@
-#include "node/conversions.h"
+#include "node/base/conversions.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "node/ros_time.h"
+#include "node/base/ros_time.h"
 
 namespace place_memory::node {
 namespace {

@@ -1,5 +1,5 @@
-#ifndef PLACE_MEMORY_NODE_CONVERSIONS_H
-#define PLACE_MEMORY_NODE_CONVERSIONS_H
+#ifndef PLACE_MEMORY_NODE_BASE_CONVERSIONS_H
+#define PLACE_MEMORY_NODE_BASE_CONVERSIONS_H
 
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Pose2D.h>
@@ -47,4 +47,4 @@ const std::string& scanFrame(const config::Parameters& parameters);
 
 }  // namespace place_memory::node
 
-#endif  // PLACE_MEMORY_NODE_CONVERSIONS_H
+#endif  // PLACE_MEMORY_NODE_BASE_CONVERSIONS_H
