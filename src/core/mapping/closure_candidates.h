@@ -1,0 +1,75 @@
+#ifndef PLACE_MEMORY_CORE_MAPPING_CLOSURE_CANDIDATES_H
+#define PLACE_MEMORY_CORE_MAPPING_CLOSURE_CANDIDATES_H
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "place_memory/core/place_id.h"
+#include "place_memory/core/pose2d.h"
+
+namespace place_memory::core {
+
+/// How many independent witnesses a closed loop, or a join of sessions, takes.
+struct ClosureOptions {
+  std::size_t witnesses = 5;  ///< scans that agree
+  double spread = 3.0;        ///< way from the first of them to the last [m]
+  double score = 5.0;         ///< sum of their softened log likelihood ratios
+  double margin = 2.5;        ///< of the score over that of any other candidate
+  double give_up = 4.0;       ///< way without a witness after which a candidate is dropped [m]
+};
+
+/// Where one place of the target puts a scan.
+struct Sighting {
+  PlaceId place = kNoPlace;
+  double probability = 0.0;
+  Pose2d pose;  ///< of the base, in the target's frame
+};
+
+/// A scan that agreed with a candidate.
+struct Witness {
+  std::size_t node = 0;
+  PlaceId place = kNoPlace;
+  double way = 0.0;  ///< of the scan [m]
+  Pose2d pose;       ///< where the place put it
+};
+
+/// A rigid transform that would put the robot, where it thinks it is, elsewhere on the map.
+struct ClosureCandidate {
+  Pose2d target_from_estimate;
+  double score = 0.0;
+  int misses = 0;  ///< scans at places of the target that did not agree
+  std::vector<Witness> witnesses;
+};
+
+/// Gathers witnesses for closed loops. One look is none: scans that share readings repeat one
+/// mistake, and corridors look alike some metres on; so candidates are carried along by odometry
+/// and each scan speaks for or against them.
+class ClosureCandidates {
+ public:
+  explicit ClosureCandidates(const ClosureOptions& options) : options_(options) {}
+
+  /// One scan: where it is thought to be, and where the target's places put it, best first.
+  /// `at_place` tells whether a pose in the target's frame is at a place of the target, where a
+  /// scan should agree.
+  void update(std::size_t node, double way, const Pose2d& estimate,
+              const std::vector<Sighting>& sightings,
+              const std::function<bool(const Pose2d&)>& at_place);
+
+  /// The candidate for which enough speaks, or nullptr.
+  const ClosureCandidate* accepted() const;
+  /// The one for which most speaks, or nullptr.
+  const ClosureCandidate* foremost() const;
+  bool empty() const { return candidates_.empty(); }
+  /// Forgets a candidate for good or all: their transforms hold no more.
+  void clear() { candidates_.clear(); }
+  void dropForemost();
+
+ private:
+  ClosureOptions options_;
+  std::vector<ClosureCandidate> candidates_;  ///< by falling score
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_MAPPING_CLOSURE_CANDIDATES_H

@@ -1,0 +1,141 @@
+#ifndef PLACE_MEMORY_CORE_MAPPING_MAPPER_H
+#define PLACE_MEMORY_CORE_MAPPING_MAPPER_H
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mapping/closure_candidates.h"
+#include "core/mapping/dead_reckoning.h"
+#include "core/mapping/moving_scan.h"
+#include "core/mapping/place_shelf.h"
+#include "core/mapping/scan_graph.h"
+#include "core/sensing/heading_history.h"
+#include "place_memory/core/recognizer_options.h"
+#include "place_memory/core/sonar_model.h"
+
+namespace place_memory::core {
+
+enum class MapperMode {
+  kMap,       ///< new places are made, and the map corrects itself
+  kLocalize,  ///< the map stays as it is
+};
+
+struct MapperOptions {
+  MapperMode mode = MapperMode::kMap;
+  MovingScanOptions scan;
+  double spacing = 1.3;  ///< least distance of a new place from all others [m]
+  double doubled = 0.6;  ///< of two places nearer than this after a correction the newer goes [m]
+  ClosureOptions closure;   ///< of loops, and of a session that is joined to the map
+  ClosureOptions relocate{2, 0.4, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
+  double cell_size = kDefaultCellSize;  ///< [m]
+  SonarModelOptions sonar;
+  RecognizerOptions recognizer;
+};
+
+/// What became of one moving scan.
+struct ScanDecision {
+  enum class Kind { kNewPlace, kTracked, kClosed, kCandidate, kBetween, kLost };
+
+  std::chrono::nanoseconds stamp{0};  ///< of the middle of its stretch
+  Kind kind = Kind::kBetween;
+  PlaceId place = kNoPlace;  ///< that it names
+  Pose2d place_from_base;    ///< where the robot stood, in the frame in which it stood at the place
+  double belief = 0.0;       ///< probability of that place
+  double lost = 0.0;         ///< probability that the robot is not where map_from_odom has it
+  std::string reason;
+};
+
+/// "new_place", "tracked", "closed", "candidate", "between" or "lost", as tables have it.
+const char* nameOf(ScanDecision::Kind kind);
+
+/// A place of the map.
+struct MappedPlace {
+  PlaceId id = kNoPlace;
+  std::string label;
+  std::chrono::nanoseconds stamp{0};  ///< of the middle of the stretch that it was made of
+  Pose2d map_from_base;               ///< where the robot stood then
+  bool apart = false;                 ///< of a session that is not joined to the map: in its frame
+};
+
+/// Drives along with the robot: makes a map of places as it goes, knows them again, corrects dead
+/// reckoning by them and closes loops; or only tells where it is on a map that stays.
+///
+/// Fed in the order of stamps. The same data gives the same map, however fast it comes: whatever is
+/// worked out is worked out at points of the way. Not thread-safe, and it has no threads.
+class Mapper {
+ public:
+  explicit Mapper(const MapperOptions& options);
+
+  /// A compass heading [rad].
+  void addHeading(std::chrono::nanoseconds stamp, double yaw);
+  /// Odometry's newest pose.
+  void addOdometry(std::chrono::nanoseconds stamp, const Pose2d& odom_from_base);
+  /// A reading in the base's frame, with odometry's pose at its stamp.
+  void addReading(std::chrono::nanoseconds stamp, const Pose2d& odom_from_base,
+                  const SonarReading& reading);
+  /// How the robot got to where it is now is not known: it was carried, or odometry starts anew.
+  void beginSession();
+  void setMode(MapperMode mode) { options_.mode = mode; }
+  MapperMode mode() const { return options_.mode; }
+
+  /// What became of scans since it was asked last.
+  std::vector<ScanDecision> takeDecisions();
+
+  /// Corrects odometry's newest pose; nothing while where the robot is is not known.
+  std::optional<Pose2d> mapFromOdom() const;
+  /// Probability that it is wrong, or 1 where there is none.
+  double lost() const { return lost_; }
+
+  std::vector<MappedPlace> places() const;
+  const ScanGraph& graph() const { return graph_; }
+
+ private:
+  struct Match {
+    PlaceFit fit;
+    Pose2d pose;  ///< of the base, in the session's frame
+  };
+
+  void process(const MovingScan& scan);
+  NodeIndex append(const MovingScan& scan);
+  double headingWindow() const;
+  EvidenceGrid lay(const ScanNode& node, double yaw) const;
+  Pose2d poseBy(const PlaceFit& fit, double scan_yaw) const;
+  Tie tieOf(const PlaceFit& fit, NodeIndex node, double scan_yaw) const;
+  std::vector<Sighting> sightings(const std::vector<PlaceFit>& fits, double scan_yaw) const;
+  bool track(NodeIndex at, const EvidenceGrid& grid, const std::vector<PlaceFit>& fits);
+  bool tieTo(PlaceId id, NodeIndex node, const EvidenceGrid& grid, double scan_yaw, double near,
+             double window, int closure);
+  bool closeLoop(const ClosureCandidate& candidate, int target);
+  void makePlaces();
+  void afterRelaxing();
+  void name(NodeIndex at, ScanDecision& decision) const;
+
+  MapperOptions options_;
+  SonarModel sonar_;
+  DeadReckoning reckoning_;
+  MovingScanBuilder builder_;
+  HeadingHistory headings_;
+  ScanGraph graph_;
+  PlaceShelf shelf_;
+  ClosureCandidates loops_;  ///< within the session's own frame
+  ClosureCandidates joins_;  ///< with the map, while the session is apart
+  std::vector<ScanDecision> decisions_;
+  std::vector<NodeIndex> undecided_;  ///< scans of which places may be made yet
+  int session_ = 1;                   ///< in whose frame the robot's pose is
+  int last_session_ = 1;
+  bool first_of_session_ = true;
+  std::optional<BaseMoment> last_middle_;  ///< of the newest node
+  Pose2d newest_odom_;
+  double anchored_way_ = 0.0;  ///< at the last tie
+  std::size_t scans_since_full_ = 0;
+  bool ties_since_full_ = false;
+  int closures_ = 0;
+  double lost_ = 0.0;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_MAPPING_MAPPER_H

@@ -1,0 +1,94 @@
+#include "core/mapping/moving_scan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace place_memory::core {
+namespace {
+
+constexpr double kNewSpot = 0.02;                     // [m]
+constexpr double kNewHeading = 2.0 * kPi / 180.0;     // [rad]
+constexpr std::size_t kMostAtSpot = 48;               // readings
+constexpr double kLooksAhead = 170.0 * kPi / 180.0;   // widest gap between sonars of a ring [rad]
+
+}  // namespace
+
+void MovingScanBuilder::add(const BaseMoment& moment, const SonarReading& reading) {
+  bool moved = stations_.empty();
+  if (!moved) {
+    const Pose2d motion = stations_.back().moment.reckoned.inverse() * moment.reckoned;
+    moved = std::hypot(motion.x, motion.y) > kNewSpot || std::abs(motion.yaw) > kNewHeading;
+  }
+  if (moved) stations_.push_back({moment, {}});
+  Station& station = stations_.back();
+  if (station.readings.size() >= kMostAtSpot) return;
+  station.readings.push_back(reading);
+  ++kept_;
+}
+
+void MovingScanBuilder::restart() {
+  stations_.clear();
+  kept_ = 0;
+  last_scan_ = -1e9;
+}
+
+double MovingScanBuilder::wantedLength() const {
+  std::vector<double> bearings;
+  for (const Station& station : stations_) {
+    for (const SonarReading& reading : station.readings) {
+      bearings.push_back(wrapAngle(reading.sensor_pose.yaw));
+    }
+  }
+  std::sort(bearings.begin(), bearings.end());
+  double gap = 2.0 * kPi - (bearings.back() - bearings.front());
+  for (std::size_t i = 1; i < bearings.size(); ++i) {
+    gap = std::max(gap, bearings[i] - bearings[i - 1]);
+  }
+  return gap >= kLooksAhead ? options_.length_ahead : options_.length;
+}
+
+std::optional<MovingScan> MovingScanBuilder::take() {
+  if (kept_ == 0) return std::nullopt;
+  const double now = stations_.back().moment.way;
+  if (now - last_scan_ < options_.spacing) return std::nullopt;
+  while (stations_.size() > 1 && now - stations_[1].moment.way > options_.longest) {
+    kept_ -= stations_.front().readings.size();
+    stations_.pop_front();
+  }
+  const double wanted = wantedLength();
+  std::size_t first = stations_.size();
+  std::size_t count = 0;
+  while (first > 0) {
+    if (count >= options_.readings && now - stations_[first - 1].moment.way > wanted) break;
+    --first;
+    count += stations_[first].readings.size();
+  }
+  const double reach = now - stations_[first].moment.way;
+  const bool enough = count >= options_.readings;
+  if (reach < options_.spacing) return std::nullopt;
+  if (!enough && reach < options_.longest - options_.spacing) return std::nullopt;
+  last_scan_ = now;
+
+  std::size_t middle = first;
+  const double middle_way = now - 0.5 * reach;
+  while (middle + 1 < stations_.size() && stations_[middle].moment.way < middle_way) ++middle;
+  MovingScan scan;
+  scan.middle = stations_[middle].moment;
+  scan.first_way = stations_[first].moment.way;
+  scan.last_way = now;
+  scan.enough = enough;
+  const Pose2d back = scan.middle.reckoned.inverse();
+  auto readings = std::make_shared<std::vector<SonarReading>>();
+  readings->reserve(count);
+  for (std::size_t i = first; i < stations_.size(); ++i) {
+    const Pose2d middle_from_station = back * stations_[i].moment.reckoned;
+    for (SonarReading reading : stations_[i].readings) {
+      reading.sensor_pose = middle_from_station * reading.sensor_pose;
+      readings->push_back(reading);
+    }
+  }
+  scan.readings = std::move(readings);
+  return scan;
+}
+
+}  // namespace place_memory::core

@@ -1,0 +1,98 @@
+#include "core/mapping/place_shelf.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/sensing/moved_readings.h"
+
+namespace place_memory::core {
+namespace {
+
+constexpr double kLaidAnew = 2.0 * kPi / 180.0;  // [rad]
+
+/// The grid's frame: at the base, its axes along the map's when it was laid out.
+Pose2d gridPose(const ScanNode& node) {
+  return node.pose * Pose2d{0.0, 0.0, -node.laid_yaw};
+}
+
+}  // namespace
+
+PlaceId PlaceShelf::add(NodeIndex at, ScanGraph& graph) {
+  const PlaceId id = ++last_id_;
+  graph.node(at).place = id;
+  node_of_[id] = at;
+  unripe_.push_back(id);
+  return id;
+}
+
+void PlaceShelf::remove(PlaceId id, ScanGraph& graph) {
+  graph.node(node_of_.at(id)).place = kNoPlace;
+  const auto home = home_of_.find(id);
+  if (home != home_of_.end()) {
+    matchers_.at(home->second).erase(id);
+    home_of_.erase(home);
+  }
+  unripe_.erase(std::remove(unripe_.begin(), unripe_.end(), id), unripe_.end());
+  node_of_.erase(id);
+}
+
+void PlaceShelf::shelve(PlaceId id, ScanGraph& graph) {
+  ScanNode& node = graph.node(node_of_.at(id));
+  node.laid_yaw = node.pose.yaw;
+  const EvidenceGrid grid =
+      sonar_.build(movedReadings(*node.readings, {0.0, 0.0, node.laid_yaw}), geometry_);
+  matchers_.try_emplace(node.session, options_).first->second.put(id, gridPose(node), grid);
+  home_of_[id] = node.session;
+}
+
+void PlaceShelf::ripen(double way, ScanGraph& graph) {
+  const auto ripe = [&](PlaceId id) {
+    if (graph.node(node_of_.at(id)).last_way >= way) return false;
+    shelve(id, graph);
+    return true;
+  };
+  unripe_.erase(std::remove_if(unripe_.begin(), unripe_.end(), ripe), unripe_.end());
+}
+
+void PlaceShelf::follow(ScanGraph& graph) {
+  for (const auto& [id, session] : home_of_) {
+    const ScanNode& node = graph.node(node_of_.at(id));
+    if (std::abs(wrapAngle(node.pose.yaw - node.laid_yaw)) > kLaidAnew) {
+      shelve(id, graph);
+    } else {
+      matchers_.at(session).move(id, gridPose(node));
+    }
+  }
+}
+
+void PlaceShelf::join(int session, int into) {
+  const auto from = matchers_.find(session);
+  if (from == matchers_.end()) return;
+  matchers_.try_emplace(into, options_).first->second.takeAll(from->second);
+  matchers_.erase(from);
+  for (auto& [id, home] : home_of_) {
+    if (home == session) home = into;
+  }
+}
+
+const PlaceMatcher* PlaceShelf::matcher(int session) const {
+  const auto found = matchers_.find(session);
+  return found == matchers_.end() || found->second.size() == 0 ? nullptr : &found->second;
+}
+
+std::vector<PlaceShelf::Near> PlaceShelf::near(const Pose2d& pose, int session, double radius,
+                                               bool only_ripe, const ScanGraph& graph) const {
+  std::vector<Near> found;
+  for (const auto& [id, at] : node_of_) {
+    const ScanNode& node = graph.node(at);
+    if (node.session != session || (only_ripe && !ripe(id))) continue;
+    const double distance = std::hypot(node.pose.x - pose.x, node.pose.y - pose.y);
+    if (distance <= radius) found.push_back({id, distance});
+  }
+  std::sort(found.begin(), found.end(), [](const Near& a, const Near& b) {
+    return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
+  });
+  return found;
+}
+
+}  // namespace place_memory::core

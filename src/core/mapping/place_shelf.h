@@ -1,0 +1,61 @@
+#ifndef PLACE_MEMORY_CORE_MAPPING_PLACE_SHELF_H
+#define PLACE_MEMORY_CORE_MAPPING_PLACE_SHELF_H
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/mapping/place_matcher.h"
+#include "core/mapping/scan_graph.h"
+#include "place_memory/core/sonar_model.h"
+
+namespace place_memory::core {
+
+/// The nodes that are places, and their grids: by session, since places of different sessions lie
+/// in different frames.
+class PlaceShelf {
+ public:
+  PlaceShelf(const RecognizerOptions& options, const SonarModel& sonar, double cell_size)
+      : options_(options), sonar_(sonar), geometry_{cell_size} {}
+
+  /// Makes a node a place. It is matched against once it is ripe.
+  PlaceId add(NodeIndex at, ScanGraph& graph);
+  void remove(PlaceId id, ScanGraph& graph);
+  /// Lets places be matched against that share no reading with a stretch that begins at `way`.
+  void ripen(double way, ScanGraph& graph);
+  /// After poses changed: lays grids anew along headings that were corrected.
+  void follow(ScanGraph& graph);
+  /// Places of a session are another's now.
+  void join(int session, int into);
+
+  NodeIndex nodeOf(PlaceId id) const { return node_of_.at(id); }
+  bool has(PlaceId id) const { return node_of_.count(id) > 0; }
+  const std::map<PlaceId, NodeIndex>& places() const { return node_of_; }
+  /// Of a session's ripe places; nullptr where it has none.
+  const PlaceMatcher* matcher(int session) const;
+  bool ripe(PlaceId id) const { return home_of_.count(id) > 0; }
+
+  struct Near {
+    PlaceId id;
+    double distance;  ///< [m]
+  };
+  /// Places of a session within `radius` [m], nearest first.
+  std::vector<Near> near(const Pose2d& pose, int session, double radius, bool only_ripe,
+                         const ScanGraph& graph) const;
+
+ private:
+  void shelve(PlaceId id, ScanGraph& graph);
+
+  RecognizerOptions options_;
+  SonarModel sonar_;
+  GridGeometry geometry_;
+  PlaceId last_id_ = 0;
+  std::map<PlaceId, NodeIndex> node_of_;
+  std::map<PlaceId, int> home_of_;     ///< session in whose matcher a ripe place is
+  std::vector<PlaceId> unripe_;
+  std::map<int, PlaceMatcher> matchers_;  ///< by session
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_MAPPING_PLACE_SHELF_H

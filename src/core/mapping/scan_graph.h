@@ -1,0 +1,105 @@
+#ifndef PLACE_MEMORY_CORE_MAPPING_SCAN_GRAPH_H
+#define PLACE_MEMORY_CORE_MAPPING_SCAN_GRAPH_H
+
+#include <Eigen/Core>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "core/map/pose_relaxation.h"
+#include "place_memory/core/place_id.h"
+#include "place_memory/core/sonar_reading.h"
+
+namespace place_memory::core {
+
+using NodeIndex = std::size_t;
+
+/// A moving scan as a node of the graph. Its pose is the base's at the middle of its stretch.
+struct ScanNode {
+  std::chrono::nanoseconds stamp{0};
+  Pose2d odom_from_base;
+  double first_way = 0.0;  ///< ends of its stretch of the way [m]
+  double last_way = 0.0;
+  int session = 0;  ///< in whose frame its pose lies
+  Pose2d pose;
+  std::optional<NodeIndex> before;  ///< that odometry came from
+  Pose2d motion;                    ///< from there, as odometry measured it
+  double motion_way = 0.0;          ///< [m]
+  std::optional<double> compass;    ///< heading that it showed [rad]
+  std::shared_ptr<const std::vector<SonarReading>> readings;  ///< in its frame
+  PlaceId place = kNoPlace;         ///< that it is
+  double laid_yaw = 0.0;  ///< heading in the map for which its grid was laid out [rad]
+};
+
+/// A node as it was matched to a place.
+struct Tie {
+  NodeIndex place = 0;  ///< node of the place
+  NodeIndex node = 0;
+  Pose2d relative;              ///< of the node in the place's frame
+  Eigen::Matrix3d information;  ///< of that
+  int closure = 0;              ///< of which loop closure; 0: a tracked match
+};
+
+/// How far a way through the graph may lead astray [m], [rad]; by its length [m].
+double positionSigma(double way, bool compass);
+double yawSigma(double way);
+
+/// All scans of the way and what ties them; the owner of their poses.
+class ScanGraph {
+ public:
+  const std::vector<ScanNode>& nodes() const { return nodes_; }
+  ScanNode& node(NodeIndex at) { return nodes_[at]; }
+  const ScanNode& node(NodeIndex at) const { return nodes_[at]; }
+  const std::vector<Tie>& ties() const { return ties_; }
+  bool tied(NodeIndex at) const { return !ties_of_[at].empty(); }
+  const OdometryErrors& errors() const { return errors_; }
+
+  NodeIndex append(const ScanNode& node);
+  /// Where odometry puts a node after another, its errors taken out.
+  Pose2d predicted(NodeIndex before, const Pose2d& motion, double way) const;
+
+  void tie(const Tie& tie);
+  /// Removes every tie for which `gone` holds.
+  template <typename Gone>
+  void untie(const Gone& gone);
+
+  /// Lengths of the shortest ways from a node to others, up to `radius` [m]; a tie that the poses
+  /// agree with counts as no way.
+  std::unordered_map<NodeIndex, double> ways(NodeIndex from, double radius) const;
+
+  /// Moves the newest `count` nodes of the session, the others held.
+  void relaxRecent(std::size_t count);
+  /// Moves all nodes of a session; its first stays.
+  void relaxAll(int session, int iterations);
+  /// Squared distance of a tie from the poses [sigma^2].
+  double chiSquare(const Tie& tie) const;
+  /// Moves a whole session into another's frame.
+  void join(int session, int into, const Pose2d& into_from_session);
+
+ private:
+  RelaxationProblem problemOf(const std::vector<NodeIndex>& free, int session) const;
+  void indexTies();
+
+  std::vector<ScanNode> nodes_;
+  std::vector<Tie> ties_;
+  std::vector<std::vector<std::size_t>> ties_of_;   ///< by node, of either end
+  std::vector<std::vector<NodeIndex>> next_of_;     ///< by node, those that came from it
+  OdometryErrors errors_;
+};
+
+template <typename Gone>
+void ScanGraph::untie(const Gone& gone) {
+  std::vector<Tie> kept;
+  for (const Tie& tie : ties_) {
+    if (!gone(tie)) kept.push_back(tie);
+  }
+  ties_ = std::move(kept);
+  indexTies();
+}
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_MAPPING_SCAN_GRAPH_H
