@@ -42,7 +42,8 @@ std::vector<PlaceFit> PlaceMatcher::recognize(const EvidenceGrid& scan,
   const Recognition found = recognizer_.recognize(scanOf(scan), index_, heading_window);
   for (const PlaceMatch& match : found.matches) {
     if (fits.size() == kMostFits) break;
-    fits.push_back({match.id, match.probability, match.place_from_scan, {}});
+    fits.push_back({match.id, match.probability, match.place_from_scan,
+                    Eigen::Matrix3d::Identity()});
   }
   return fits;
 }
