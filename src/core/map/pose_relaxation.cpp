@@ -30,7 +30,8 @@ double costOf(double chi_square, double doubt) {
 
 Pose2d measured(const RelaxationProblem& problem, const RelativePose& relative) {
   return relative.way < 0.0 ? relative.relative
-                            : problem.errors.corrected(relative.relative, relative.way);
+                            : problem.errors.corrected(relative.relative, relative.way,
+                                                       relative.turn);
 }
 
 double totalCost(const RelaxationProblem& problem) {
@@ -145,7 +146,7 @@ class Equations {
       part = {errors_, Eigen::Matrix3d::Zero(), 2};
       const Eigen::Vector3d turned(0.5 * expected.y, -0.5 * expected.x, -1.0);
       part.jacobian.col(0) = relative.way * turned;
-      part.jacobian.col(1) = relative.relative.yaw * turned;
+      part.jacobian.col(1) = relative.turn * turned;
     }
     if (count == 0) return;
     const Eigen::Vector3d error = residual(from, to, expected);
@@ -194,8 +195,8 @@ class Equations {
 
 }  // namespace
 
-Pose2d OdometryErrors::corrected(const Pose2d& motion, double way) const {
-  const double missed = turn_factor * motion.yaw + bend * way;
+Pose2d OdometryErrors::corrected(const Pose2d& motion, double way, double turn) const {
+  const double missed = turn_factor * turn + bend * way;
   const Pose2d half{0.0, 0.0, 0.5 * missed};
   return half * motion * half;
 }

@@ -14,8 +14,9 @@ struct OdometryErrors {
   double bend = 0.0;         ///< turn that odometry misses [rad/m of way]
   double turn_factor = 0.0;  ///< share of its turns that it misses
 
-  /// Odometry's motion over a short way [m] as it was in truth.
-  Pose2d corrected(const Pose2d& motion, double way) const;
+  /// Odometry's motion over a short way [m], on which it turned by `turn` [rad], any number of
+  /// times about, as it was in truth.
+  Pose2d corrected(const Pose2d& motion, double way, double turn) const;
 };
 
 /// A pose as seen from another one.
@@ -27,6 +28,7 @@ struct RelativePose {
   /// Way that odometry measured between them [m], >= 0; below 0: no odometry, OdometryErrors do not
   /// touch it.
   double way = -1.0;
+  double turn = 0.0;  ///< that it measured on that way, not wrapped [rad]
   /// From so many sigma on it is ever less believed (Cauchy); 0: it is believed wholly.
   double doubt = 0.0;
 };

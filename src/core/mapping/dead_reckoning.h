@@ -23,14 +23,17 @@ class DeadReckoning {
     }
     // A turn on the spot trembles too.
     const double way = moved < kStep ? 0.0 : moved;
-    pose_ = pose_ * errors.corrected(motion, way);
+    pose_ = pose_ * errors.corrected(motion, way, motion.yaw);
     way_ += way;
+    turn_ += motion.yaw;
     odom_ = odom_from_base;
     rest_ = {};
   }
 
   Pose2d pose() const { return pose_ * rest_; }
   double way() const { return way_; }
+  /// All turns that odometry measured, not wrapped [rad].
+  double turn() const { return turn_; }
   /// Odometry starts anew somewhere: pose and way go on from here.
   void restart() {
     odom_.reset();
@@ -46,6 +49,7 @@ class DeadReckoning {
   Pose2d pose_;
   Pose2d rest_;  ///< since then
   double way_ = 0.0;
+  double turn_ = 0.0;
 };
 
 }  // namespace place_memory::core

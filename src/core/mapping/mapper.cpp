@@ -45,7 +45,7 @@ void Mapper::addOdometry(std::chrono::nanoseconds /*stamp*/, const Pose2d& odom_
 void Mapper::addReading(std::chrono::nanoseconds stamp, const Pose2d& odom_from_base,
                         const SonarReading& reading) {
   addOdometry(stamp, odom_from_base);
-  builder_.add({stamp, odom_from_base, reckoning_.pose(), reckoning_.way()}, reading);
+  builder_.add({stamp, odom_from_base, reckoning_.pose(), reckoning_.way(), reckoning_.turn()}, reading);
   while (const std::optional<MovingScan> scan = builder_.take()) process(*scan);
 }
 
@@ -102,7 +102,8 @@ NodeIndex Mapper::append(const MovingScan& scan) {
     node.before = graph_.nodes().size() - 1;
     node.motion = graph_.nodes().back().odom_from_base.inverse() * node.odom_from_base;
     node.motion_way = scan.middle.way - last_middle_->way;
-    node.pose = graph_.predicted(*node.before, node.motion, node.motion_way);
+    node.motion_turn = scan.middle.turn - last_middle_->turn;
+    node.pose = graph_.predicted(node);
   }
   last_middle_ = scan.middle;
   return graph_.append(node);
@@ -220,9 +221,10 @@ void Mapper::process(const MovingScan& scan) {
   if (tracked) {
     anchored_way_ = scan.middle.way;
     ties_since_full_ = true;
-    graph_.relaxRecent(kWindow);
     decision.kind = ScanDecision::Kind::kTracked;
   }
+  // A compass holds the heading on new ground too.
+  if (tracked || graph_.node(at).compass) graph_.relaxRecent(kWindow);
   bool closed = false;
   if (const ClosureCandidate* loop = loops_.accepted()) closed = closeLoop(*loop, session_);
   if (!closed && session_ != 1) {
@@ -238,7 +240,7 @@ void Mapper::process(const MovingScan& scan) {
     decision.kind = ScanDecision::Kind::kClosed;
   }
   if (options_.mode == MapperMode::kMap) {
-    if (++scans_since_full_ >= kFullEvery && ties_since_full_) {
+    if (++scans_since_full_ >= kFullEvery && (ties_since_full_ || graph_.node(at).compass)) {
       graph_.relaxAll(session_, 3);
       afterRelaxing();
     }

@@ -27,6 +27,7 @@ struct BaseMoment {
   Pose2d odom_from_base;  ///< raw
   Pose2d reckoned;        ///< the lasting errors of the wheels taken out
   double way = 0.0;       ///< driven till then [m]
+  double turn = 0.0;      ///< measured till then, not wrapped [rad]
 };
 
 /// What the robot sensed along the last stretch of its way.

@@ -20,10 +20,10 @@ constexpr double kCompassSigma = 30.0 * kDegree;
 constexpr double kTieDoubt = 2.0;
 constexpr double kAgreed = 9.0;  ///< chi square up to which a tie is a way
 
-Eigen::Matrix3d motionInformation(const Pose2d& motion, double way) {
+Eigen::Matrix3d motionInformation(double way, double turn) {
   const double root = std::sqrt(std::max(way, 0.05));
   const double position = kPositionNoise * root + 0.002;
-  const double yaw = kYawNoise * root + kTurnNoise * std::abs(motion.yaw);
+  const double yaw = kYawNoise * root + kTurnNoise * std::abs(turn);
   return Eigen::Vector3d(1.0 / (position * position), 1.0 / (position * position),
                          1.0 / (yaw * yaw))
       .asDiagonal();
@@ -47,8 +47,9 @@ NodeIndex ScanGraph::append(const ScanNode& node) {
   return nodes_.size() - 1;
 }
 
-Pose2d ScanGraph::predicted(NodeIndex before, const Pose2d& motion, double way) const {
-  return nodes_[before].pose * errors_.corrected(motion, way);
+Pose2d ScanGraph::predicted(const ScanNode& node) const {
+  return nodes_[*node.before].pose *
+         errors_.corrected(node.motion, node.motion_way, node.motion_turn);
 }
 
 void ScanGraph::tie(const Tie& tie) {
@@ -117,7 +118,8 @@ RelaxationProblem ScanGraph::problemOf(const std::vector<NodeIndex>& free, int s
     const ScanNode& to = nodes_[node];
     if (!to.before || nodes_[*to.before].session != session) return;
     problem.relatives.push_back({indexOf(*to.before, true), indexOf(node, true), to.motion,
-                                 motionInformation(to.motion, to.motion_way), to.motion_way, 0.0});
+                                 motionInformation(to.motion_way, to.motion_turn), to.motion_way,
+                                 to.motion_turn, 0.0});
   };
   for (const NodeIndex node : free) {
     addMotion(node);
@@ -132,7 +134,7 @@ RelaxationProblem ScanGraph::problemOf(const std::vector<NodeIndex>& free, int s
       const bool other_free = found != at.end() && !problem.held[found->second];
       if (other_free && tie.place == node) continue;  // from the node's side
       problem.relatives.push_back({indexOf(tie.place, true), indexOf(tie.node, true), tie.relative,
-                                   tie.information, -1.0, kTieDoubt});
+                                   tie.information, -1.0, 0.0, kTieDoubt});
     }
     if (nodes_[node].compass && ties_of_[node].empty()) {
       problem.yaws.push_back({at[node], *nodes_[node].compass,

@@ -28,6 +28,7 @@ struct ScanNode {
   std::optional<NodeIndex> before;  ///< that odometry came from
   Pose2d motion;                    ///< from there, as odometry measured it
   double motion_way = 0.0;          ///< [m]
+  double motion_turn = 0.0;         ///< not wrapped [rad]
   std::optional<double> compass;    ///< heading that it showed [rad]
   std::shared_ptr<const std::vector<SonarReading>> readings;  ///< in its frame
   PlaceId place = kNoPlace;         ///< that it is
@@ -58,8 +59,8 @@ class ScanGraph {
   const OdometryErrors& errors() const { return errors_; }
 
   NodeIndex append(const ScanNode& node);
-  /// Where odometry puts a node after another, its errors taken out.
-  Pose2d predicted(NodeIndex before, const Pose2d& motion, double way) const;
+  /// Where odometry puts a node after the one before it, its errors taken out.
+  Pose2d predicted(const ScanNode& node) const;
 
   void tie(const Tie& tie);
   /// Removes every tie for which `gone` holds.
