@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/grid/cell_shift.h"
 #include "core/sensing/moved_readings.h"
 
 namespace place_memory::core {
@@ -16,7 +17,24 @@ constexpr std::chrono::nanoseconds kHeadingAge = std::chrono::seconds(1);
 constexpr std::size_t kWindow = 40;        ///< nodes that a local correction moves
 constexpr std::size_t kFullEvery = 20;     ///< nodes between corrections of the whole map
 constexpr double kCompassWindow = 45.0 * kDegree;
+constexpr double kTieReach = 2.4;          ///< how far off the places are that a scan is tied to [m]
+constexpr int kMostTies = 4;
+constexpr double kTieNoise = 0.06;         // [m]
+constexpr double kTieTurnNoise = 2.0 * kDegree;
 constexpr double kLongUntied = 15.0;       ///< way after which the heading is anyone's guess [m]
+
+/// The grid's content moved by whole cells.
+EvidenceGrid shifted(const EvidenceGrid& grid, CellShift shift) {
+  EvidenceGrid moved(grid.geometry());
+  const int first = std::max(0, shift.columns);
+  const int last = std::min(kGridSize, kGridSize + shift.columns);
+  for (int row = std::max(0, shift.rows); row < std::min(kGridSize, kGridSize + shift.rows); ++row) {
+    for (int column = first; column < last; ++column) {
+      moved.add(row, column, grid.at(row - shift.rows, column - shift.columns));
+    }
+  }
+  return moved;
+}
 
 }  // namespace
 
@@ -124,21 +142,6 @@ Pose2d Mapper::poseBy(const PlaceFit& fit, double scan_yaw) const {
          Pose2d{0.0, 0.0, scan_yaw};
 }
 
-Tie Mapper::tieOf(const PlaceFit& fit, NodeIndex node, double scan_yaw) const {
-  const NodeIndex at = shelf_.nodeOf(fit.id);
-  const Pose2d base_from_grid{0.0, 0.0, -graph_.node(at).laid_yaw};
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  const double c = std::cos(base_from_grid.yaw), s = std::sin(base_from_grid.yaw);
-  turn.topLeftCorner<2, 2>() << c, -s, s, c;
-  // What both grids owe to noise, beside what the alignment shows.
-  const Eigen::Vector3d floor(0.06 * 0.06, 0.06 * 0.06, 4.0 * kDegree * kDegree);
-  Eigen::Matrix3d covariance = fit.covariance;
-  covariance.diagonal() += floor;
-  covariance = turn * covariance * turn.transpose();
-  return {at, node, base_from_grid * fit.place_from_scan * Pose2d{0.0, 0.0, scan_yaw},
-          covariance.inverse(), 0};
-}
-
 std::vector<Sighting> Mapper::sightings(const std::vector<PlaceFit>& fits, double scan_yaw) const {
   std::vector<Sighting> seen;
   for (const PlaceFit& fit : fits) {
@@ -147,21 +150,43 @@ std::vector<Sighting> Mapper::sightings(const std::vector<PlaceFit>& fits, doubl
   return seen;
 }
 
-bool Mapper::tieTo(PlaceId id, NodeIndex node, const EvidenceGrid& grid, double scan_yaw,
-                   double near, double window, int closure) {
-  const PlaceFit fit = shelf_.matcher(session_)->align(grid, id, window);
-  const Pose2d pose = poseBy(fit, scan_yaw);
-  const Pose2d& estimate = graph_.node(node).pose;
-  if (std::hypot(pose.x - estimate.x, pose.y - estimate.y) > near) return false;
-  if (std::abs(wrapAngle(pose.yaw - estimate.yaw)) > 10.0 * kDegree) return false;
-  Tie tie = tieOf(fit, node, scan_yaw);
-  tie.closure = closure;
-  graph_.tie(tie);
+bool Mapper::tieTo(PlaceId id, NodeIndex node, const LaidScan& scan, double near, double window,
+                   int closure) {
+  const NodeIndex at = shelf_.nodeOf(id);
+  const ScanNode& place = graph_.node(at);
+  const Pose2d base_from_grid{0.0, 0.0, -place.laid_yaw};
+  const Pose2d grid_from_base{0.0, 0.0, scan.map_from_base.yaw};
+  const Pose2d expected =
+      (place.pose * base_from_grid).inverse() * scan.map_from_base * grid_from_base.inverse();
+  // Moved by whole cells to about the place's middle, within the reach of the search; what is left
+  // of the distance is for the alignment to tell.
+  const double cell = options_.cell_size;
+  const CellShift shift{static_cast<int>(std::lround(expected.x / cell)),
+                        static_cast<int>(std::lround(expected.y / cell))};
+  const Pose2d moved{shift.columns * cell, shift.rows * cell, 0.0};
+  const PlaceFit fit = shelf_.matcher(session_)->align(shifted(scan.grid, shift), id, window);
+  const Pose2d found = fit.place_from_scan * moved;
+  if (std::hypot(found.x - expected.x, found.y - expected.y) > near) return false;
+  if (std::abs(wrapAngle(found.yaw - expected.yaw)) > 10.0 * kDegree) return false;
+  // The alignment turns about the place, the robot stands aside.
+  Eigen::Matrix3d lever = Eigen::Matrix3d::Identity();
+  lever(0, 2) = -(found.y - fit.place_from_scan.y);
+  lever(1, 2) = found.x - fit.place_from_scan.x;
+  // What both grids owe to noise, beside what the alignment shows.
+  Eigen::Matrix3d covariance = fit.covariance;
+  covariance.diagonal() += Eigen::Vector3d(kTieNoise * kTieNoise, kTieNoise * kTieNoise,
+                                           kTieTurnNoise * kTieTurnNoise);
+  covariance = lever * covariance * lever.transpose();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  const double c = std::cos(base_from_grid.yaw), s = std::sin(base_from_grid.yaw);
+  turn.topLeftCorner<2, 2>() << c, -s, s, c;
+  covariance = turn * covariance * turn.transpose();
+  graph_.tie({at, node, base_from_grid * found * grid_from_base, covariance.inverse(), closure});
   return true;
 }
 
-bool Mapper::track(NodeIndex at, const EvidenceGrid& grid, const std::vector<PlaceFit>& fits) {
-  const Pose2d estimate = graph_.node(at).pose;
+bool Mapper::track(NodeIndex at, const LaidScan& scan, const std::vector<PlaceFit>& fits) {
+  const Pose2d estimate = scan.map_from_base;
   const bool compass = graph_.node(at).compass.has_value();
   const auto ways = graph_.ways(at, 80.0);
   const auto sigmaTo = [&](PlaceId id) {
@@ -181,10 +206,10 @@ bool Mapper::track(NodeIndex at, const EvidenceGrid& grid, const std::vector<Pla
   }
   if (!tracked) return false;
   int ties = 0;
-  for (const PlaceShelf::Near& near : shelf_.near(estimate, session_, 1.1, true, graph_)) {
-    if (ties == 3) break;
+  for (const PlaceShelf::Near& near : shelf_.near(estimate, session_, kTieReach, true, graph_)) {
+    if (ties == kMostTies) break;
     const double reach = std::min(1.0, 0.3 + 3.0 * sigmaTo(near.id));
-    ties += tieTo(near.id, at, grid, estimate.yaw, reach, 15.0 * kDegree, 0) ? 1 : 0;
+    ties += tieTo(near.id, at, scan, reach, 15.0 * kDegree, 0) ? 1 : 0;
   }
   return ties > 0;
 }
@@ -205,7 +230,7 @@ void Mapper::process(const MovingScan& scan) {
   bool tracked = false;
   if (const PlaceMatcher* own = shelf_.matcher(session_)) {
     const std::vector<PlaceFit> fits = own->recognize(grid, headingWindow());
-    tracked = track(at, grid, fits);
+    tracked = track(at, {grid, graph_.node(at).pose}, fits);
     std::vector<Sighting> elsewhere = sightings(fits, yaw);
     const Pose2d estimate = graph_.node(at).pose;
     elsewhere.erase(std::remove_if(elsewhere.begin(), elsewhere.end(),
@@ -289,12 +314,10 @@ bool Mapper::closeLoop(const ClosureCandidate& candidate, int target) {
   for (const Witness& witness : closure.witnesses) {
     const Pose2d kept = graph_.node(witness.node).pose;
     const Pose2d there = joins ? kept : closure.target_from_estimate * kept;
-    graph_.node(witness.node).pose = there;  // where the alignment is sought
-    const EvidenceGrid grid = lay(graph_.node(witness.node), there.yaw);
     if (shelf_.has(witness.place)) {
-      tieTo(witness.place, witness.node, grid, there.yaw, 0.7, 20.0 * kDegree, number);
+      tieTo(witness.place, witness.node, {lay(graph_.node(witness.node), there.yaw), there}, 0.7,
+            20.0 * kDegree, number);
     }
-    graph_.node(witness.node).pose = kept;
   }
   if (options_.mode == MapperMode::kMap) {
     graph_.relaxAll(session_, 15);

@@ -93,9 +93,10 @@ class Mapper {
   const ScanGraph& graph() const { return graph_; }
 
  private:
-  struct Match {
-    PlaceFit fit;
-    Pose2d pose;  ///< of the base, in the session's frame
+  /// A scan's grid, with its axes along the map's, where the robot is thought to have stood.
+  struct LaidScan {
+    EvidenceGrid grid;
+    Pose2d map_from_base;
   };
 
   void process(const MovingScan& scan);
@@ -103,11 +104,10 @@ class Mapper {
   double headingWindow() const;
   EvidenceGrid lay(const ScanNode& node, double yaw) const;
   Pose2d poseBy(const PlaceFit& fit, double scan_yaw) const;
-  Tie tieOf(const PlaceFit& fit, NodeIndex node, double scan_yaw) const;
   std::vector<Sighting> sightings(const std::vector<PlaceFit>& fits, double scan_yaw) const;
-  bool track(NodeIndex at, const EvidenceGrid& grid, const std::vector<PlaceFit>& fits);
-  bool tieTo(PlaceId id, NodeIndex node, const EvidenceGrid& grid, double scan_yaw, double near,
-             double window, int closure);
+  bool track(NodeIndex at, const LaidScan& scan, const std::vector<PlaceFit>& fits);
+  bool tieTo(PlaceId id, NodeIndex node, const LaidScan& scan, double near, double window,
+             int closure);
   bool closeLoop(const ClosureCandidate& candidate, int target);
   void makePlaces();
   void afterRelaxing();
