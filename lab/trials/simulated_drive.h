@@ -1,0 +1,38 @@
+#ifndef PLACE_MEMORY_TRIALS_SIMULATED_DRIVE_H
+#define PLACE_MEMORY_TRIALS_SIMULATED_DRIVE_H
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/senses/simulated_scan.h"
+#include "sim/world/world.h"
+#include "trials/drive_file.h"
+
+namespace place_memory::trials {
+
+/// How a simulated robot drives about, and what its wheels and its compass get wrong.
+struct DriveRecipe {
+  double way = 200.0;   ///< [m]
+  double speed = 0.35;  ///< [m/s]
+  double tick = 0.1;    ///< from moment to moment [s]
+  int round = 4;        ///< moments in which every sonar fires once
+  /// Of the ring; empty: all.
+  std::vector<int> sonars;
+  double compass_sigma = 10.0 * core::kPi / 180.0;  ///< bound to the place [rad]; < 0: no compass
+  double compass_noise = 2.0 * core::kPi / 180.0;   ///< of each heading [rad]
+  double scale_sigma = 0.02;                        ///< of distances, for the whole drive
+  double turn_factor_sigma = 0.03;                  ///< of turns, likewise
+  double bend_sigma = 1.0 * core::kPi / 180.0;      ///< likewise [rad/m]
+  double yaw_noise = 1.5 * core::kPi / 180.0;       ///< [rad] by the root of the way [m]
+  int people = 2;
+  bool changes = true;  ///< half way doors, chairs and bicycles are elsewhere
+  std::size_t start = 0;  ///< index of the place that it starts at
+};
+
+/// A drive from place to place along the world's links, repeatable by its seed.
+Drive simulateDrive(const sim::World& world, const sim::SimulatedRobot& robot,
+                    const DriveRecipe& recipe, std::uint64_t seed);
+
+}  // namespace place_memory::trials
+
+#endif  // PLACE_MEMORY_TRIALS_SIMULATED_DRIVE_H
