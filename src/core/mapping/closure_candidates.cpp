@@ -36,9 +36,10 @@ bool agrees(const Pose2d& a, const Pose2d& b, double way) {
 
 }  // namespace
 
-void ClosureCandidates::update(std::size_t node, double way, const Pose2d& estimate,
-                               const std::vector<Sighting>& sightings,
+void ClosureCandidates::update(std::size_t node, double way, double stretch,
+                               const Pose2d& estimate, const std::vector<Sighting>& sightings,
                                const std::function<bool(const Pose2d&)>& at_place) {
+  stretch_ = stretch;
   std::vector<char> used(sightings.size(), 0);
   for (ClosureCandidate& candidate : candidates_) {
     const Pose2d expected = candidate.target_from_estimate * estimate;
@@ -99,8 +100,9 @@ void ClosureCandidates::dropForemost() {
 const ClosureCandidate* ClosureCandidates::accepted() const {
   if (candidates_.empty()) return nullptr;
   const ClosureCandidate& best = candidates_.front();
+  const double wanted = std::max(options_.spread, options_.stretches * stretch_);
   const double spread = best.witnesses.back().way - best.witnesses.front().way;
-  if (best.witnesses.size() < options_.witnesses || spread < options_.spread) return nullptr;
+  if (best.witnesses.size() < options_.witnesses || spread < wanted) return nullptr;
   if (best.score < options_.score) return nullptr;
   if (3 * static_cast<std::size_t>(best.misses) > best.witnesses.size()) return nullptr;
   if (candidates_.size() > 1 && candidates_[1].score > best.score - options_.margin) return nullptr;

@@ -13,7 +13,8 @@ namespace place_memory::core {
 /// How many independent witnesses a closed loop, or a join of sessions, takes.
 struct ClosureOptions {
   std::size_t witnesses = 5;  ///< scans that agree
-  double spread = 3.0;        ///< way from the first of them to the last [m]
+  double spread = 3.0;        ///< way from the first of them to the last [m]; but at least
+  double stretches = 1.0;     ///< so many lengths of the scans' stretches, which share readings
   double score = 5.0;         ///< sum of their softened log likelihood ratios
   double margin = 2.5;        ///< of the score over that of any other candidate
   double give_up = 4.0;       ///< way without a witness after which a candidate is dropped [m]
@@ -49,10 +50,10 @@ class ClosureCandidates {
  public:
   explicit ClosureCandidates(const ClosureOptions& options) : options_(options) {}
 
-  /// One scan: where it is thought to be, and where the target's places put it, best first.
+  /// One scan of a stretch of the way [m]: where it is thought to be, and where the target's places put it, best first.
   /// `at_place` tells whether a pose in the target's frame is at a place of the target, where a
   /// scan should agree.
-  void update(std::size_t node, double way, const Pose2d& estimate,
+  void update(std::size_t node, double way, double stretch, const Pose2d& estimate,
               const std::vector<Sighting>& sightings,
               const std::function<bool(const Pose2d&)>& at_place);
 
@@ -67,6 +68,7 @@ class ClosureCandidates {
 
  private:
   ClosureOptions options_;
+  double stretch_ = 0.0;  ///< length of the newest scan's [m]
   std::vector<ClosureCandidate> candidates_;  ///< by falling score
 };
 

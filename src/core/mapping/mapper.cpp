@@ -1,12 +1,9 @@
 #include "core/mapping/mapper.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "core/grid/cell_shift.h"
-#include "core/sensing/moved_readings.h"
 
 namespace place_memory::core {
 namespace {
@@ -17,24 +14,8 @@ constexpr std::chrono::nanoseconds kHeadingAge = std::chrono::seconds(1);
 constexpr std::size_t kWindow = 40;        ///< nodes that a local correction moves
 constexpr std::size_t kFullEvery = 20;     ///< nodes between corrections of the whole map
 constexpr double kCompassWindow = 45.0 * kDegree;
-constexpr double kTieReach = 2.4;          ///< how far off the places are that a scan is tied to [m]
-constexpr int kMostTies = 4;
-constexpr double kTieNoise = 0.06;         // [m]
-constexpr double kTieTurnNoise = 2.0 * kDegree;
+constexpr double kAtPlace = 0.6;           ///< so near to a place a scan should show it [m]
 constexpr double kLongUntied = 15.0;       ///< way after which the heading is anyone's guess [m]
-
-/// The grid's content moved by whole cells.
-EvidenceGrid shifted(const EvidenceGrid& grid, CellShift shift) {
-  EvidenceGrid moved(grid.geometry());
-  const int first = std::max(0, shift.columns);
-  const int last = std::min(kGridSize, kGridSize + shift.columns);
-  for (int row = std::max(0, shift.rows); row < std::min(kGridSize, kGridSize + shift.rows); ++row) {
-    for (int column = first; column < last; ++column) {
-      moved.add(row, column, grid.at(row - shift.rows, column - shift.columns));
-    }
-  }
-  return moved;
-}
 
 }  // namespace
 
@@ -46,10 +27,11 @@ const char* nameOf(ScanDecision::Kind kind) {
 
 Mapper::Mapper(const MapperOptions& options)
     : options_(options),
-      sonar_(options.sonar),
       builder_(options.scan),
       headings_(kHeadingAge),
-      shelf_(options.recognizer, sonar_, options.cell_size),
+      shelf_(options.recognizer, SonarModel(options.sonar), options.cell_size),
+      tying_(graph_, shelf_, options.sonar, options.cell_size),
+      closer_(graph_, shelf_, tying_),
       loops_(options.closure),
       joins_(options.closure) {}
 
@@ -132,141 +114,45 @@ double Mapper::headingWindow() const {
   return reckoning_.way() - anchored_way_ > kLongUntied ? kPi : kCompassWindow;
 }
 
-EvidenceGrid Mapper::lay(const ScanNode& node, double yaw) const {
-  return sonar_.build(movedReadings(*node.readings, {0.0, 0.0, yaw}), {options_.cell_size});
-}
-
-Pose2d Mapper::poseBy(const PlaceFit& fit, double scan_yaw) const {
-  const ScanNode& place = graph_.node(shelf_.nodeOf(fit.id));
-  return place.pose * Pose2d{0.0, 0.0, -place.laid_yaw} * fit.place_from_scan *
-         Pose2d{0.0, 0.0, scan_yaw};
-}
-
-std::vector<Sighting> Mapper::sightings(const std::vector<PlaceFit>& fits, double scan_yaw) const {
-  std::vector<Sighting> seen;
-  for (const PlaceFit& fit : fits) {
-    seen.push_back({fit.id, fit.probability, poseBy(fit, scan_yaw)});
-  }
-  return seen;
-}
-
-bool Mapper::tieTo(PlaceId id, NodeIndex node, const LaidScan& scan, double near, double window,
-                   int closure) {
-  const NodeIndex at = shelf_.nodeOf(id);
-  const ScanNode& place = graph_.node(at);
-  const Pose2d base_from_grid{0.0, 0.0, -place.laid_yaw};
-  const Pose2d grid_from_base{0.0, 0.0, scan.map_from_base.yaw};
-  const Pose2d expected =
-      (place.pose * base_from_grid).inverse() * scan.map_from_base * grid_from_base.inverse();
-  // Moved by whole cells to about the place's middle, within the reach of the search; what is left
-  // of the distance is for the alignment to tell.
-  const double cell = options_.cell_size;
-  const CellShift shift{static_cast<int>(std::lround(expected.x / cell)),
-                        static_cast<int>(std::lround(expected.y / cell))};
-  const Pose2d moved{shift.columns * cell, shift.rows * cell, 0.0};
-  const PlaceFit fit = shelf_.matcher(session_)->align(shifted(scan.grid, shift), id, window);
-  const Pose2d found = fit.place_from_scan * moved;
-  if (std::hypot(found.x - expected.x, found.y - expected.y) > near) return false;
-  if (std::abs(wrapAngle(found.yaw - expected.yaw)) > 10.0 * kDegree) return false;
-  // The alignment turns about the place, the robot stands aside.
-  Eigen::Matrix3d lever = Eigen::Matrix3d::Identity();
-  lever(0, 2) = -(found.y - fit.place_from_scan.y);
-  lever(1, 2) = found.x - fit.place_from_scan.x;
-  // What both grids owe to noise, beside what the alignment shows.
-  Eigen::Matrix3d covariance = fit.covariance;
-  covariance.diagonal() += Eigen::Vector3d(kTieNoise * kTieNoise, kTieNoise * kTieNoise,
-                                           kTieTurnNoise * kTieTurnNoise);
-  covariance = lever * covariance * lever.transpose();
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  const double c = std::cos(base_from_grid.yaw), s = std::sin(base_from_grid.yaw);
-  turn.topLeftCorner<2, 2>() << c, -s, s, c;
-  covariance = turn * covariance * turn.transpose();
-  graph_.tie({at, node, base_from_grid * found * grid_from_base, covariance.inverse(), closure});
-  return true;
-}
-
-bool Mapper::track(NodeIndex at, const LaidScan& scan, const std::vector<PlaceFit>& fits) {
-  const Pose2d estimate = scan.map_from_base;
-  const bool compass = graph_.node(at).compass.has_value();
-  const auto ways = graph_.ways(at, 80.0);
-  const auto sigmaTo = [&](PlaceId id) {
-    const auto way = ways.find(shelf_.nodeOf(id));
-    return positionSigma(way == ways.end() ? 80.0 : way->second, compass);
-  };
-  bool tracked = false;
-  for (const PlaceFit& fit : fits) {
-    const Pose2d pose = poseBy(fit, estimate.yaw);
-    const double off = std::hypot(pose.x - estimate.x, pose.y - estimate.y);
-    const double turn = std::abs(wrapAngle(pose.yaw - estimate.yaw));
-    const bool close = off <= 0.5 && turn <= 8.0 * kDegree && fit.probability >= 0.3;
-    const bool sure = off <= 1.0 && turn <= 15.0 * kDegree && fit.probability >= 0.82;
-    if (!(close || sure) || off > 0.3 + 3.0 * sigmaTo(fit.id)) continue;
-    tracked = true;
-    break;
-  }
-  if (!tracked) return false;
-  int ties = 0;
-  for (const PlaceShelf::Near& near : shelf_.near(estimate, session_, kTieReach, true, graph_)) {
-    if (ties == kMostTies) break;
-    const double reach = std::min(1.0, 0.3 + 3.0 * sigmaTo(near.id));
-    ties += tieTo(near.id, at, scan, reach, 15.0 * kDegree, 0) ? 1 : 0;
-  }
-  return ties > 0;
-}
-
 void Mapper::process(const MovingScan& scan) {
   const NodeIndex at = append(scan);
+  const double way = scan.middle.way;
+  const double stretch = scan.last_way - scan.first_way;
   shelf_.ripen(scan.first_way, graph_);
   ScanDecision decision;
   decision.stamp = scan.middle.stamp;
-  const double yaw = graph_.node(at).pose.yaw;
-  const EvidenceGrid grid = lay(graph_.node(at), yaw);
-  const auto nearPlace = [&](int session) {
-    return [this, session](const Pose2d& pose) {
-      return !shelf_.near(pose, session, 0.6, true, graph_).empty();
-    };
-  };
+  const LaidScan laid = tying_.lay(at, graph_.node(at).pose);
 
   bool tracked = false;
   if (const PlaceMatcher* own = shelf_.matcher(session_)) {
-    const std::vector<PlaceFit> fits = own->recognize(grid, headingWindow());
-    tracked = track(at, {grid, graph_.node(at).pose}, fits);
-    std::vector<Sighting> elsewhere = sightings(fits, yaw);
-    const Pose2d estimate = graph_.node(at).pose;
-    elsewhere.erase(std::remove_if(elsewhere.begin(), elsewhere.end(),
-                                   [&](const Sighting& seen) {
-                                     return std::hypot(seen.pose.x - estimate.x,
-                                                       seen.pose.y - estimate.y) < 0.5 &&
-                                            std::abs(wrapAngle(seen.pose.yaw - estimate.yaw)) <
-                                                15.0 * kDegree;
-                                   }),
-                    elsewhere.end());
-    loops_.update(at, scan.middle.way, estimate, elsewhere, nearPlace(session_));
+    const std::vector<PlaceFit> fits = own->recognize(laid.grid, headingWindow());
+    tracked = tying_.track(at, laid, fits, closer_.onTrial());
+    loops_.update(at, way, stretch, laid.map_from_base, elsewhere(tying_.sightings(fits, laid), laid),
+                  placeNear(session_));
   }
   if (tracked) {
-    anchored_way_ = scan.middle.way;
+    anchored_way_ = way;
     ties_since_full_ = true;
     decision.kind = ScanDecision::Kind::kTracked;
   }
   // A compass holds the heading on new ground too.
   if (tracked || graph_.node(at).compass) graph_.relaxRecent(kWindow);
-  bool closed = false;
-  if (const ClosureCandidate* loop = loops_.accepted()) closed = closeLoop(*loop, session_);
-  if (!closed && session_ != 1) {
+  if (closer_.observe(tracked, placeNear(session_)(graph_.node(at).pose), way)) takeBack();
+  if (session_ != 1) {
     if (const PlaceMatcher* map = shelf_.matcher(1)) {
       const double window = graph_.node(at).compass ? kCompassWindow : kPi;
-      joins_.update(at, scan.middle.way, graph_.node(at).pose,
-                    sightings(map->recognize(grid, window), yaw), nearPlace(1));
-      if (const ClosureCandidate* join = joins_.accepted()) closed = closeLoop(*join, 1);
+      joins_.update(at, way, stretch, graph_.node(at).pose,
+                    tying_.sightings(map->recognize(laid.grid, window), laid), placeNear(1));
     }
   }
-  if (closed) {
-    anchored_way_ = scan.middle.way;
+  if (closeLoops(way)) {
+    anchored_way_ = way;
     decision.kind = ScanDecision::Kind::kClosed;
   }
   if (options_.mode == MapperMode::kMap) {
     if (++scans_since_full_ >= kFullEvery && (ties_since_full_ || graph_.node(at).compass)) {
       graph_.relaxAll(session_, 3);
+      if (closer_.cutContradicted()) graph_.relaxAll(session_, 10);
       afterRelaxing();
     }
     undecided_.push_back(at);
@@ -275,6 +161,62 @@ void Mapper::process(const MovingScan& scan) {
   }
   name(at, decision);
   decisions_.push_back(decision);
+}
+
+std::function<bool(const Pose2d&)> Mapper::placeNear(int session) const {
+  return [this, session](const Pose2d& pose) {
+    return !shelf_.near(pose, session, kAtPlace, true, graph_).empty();
+  };
+}
+
+std::vector<Sighting> Mapper::elsewhere(std::vector<Sighting> sightings,
+                                        const LaidScan& scan) const {
+  const Pose2d& here = scan.map_from_base;
+  const auto is_here = [&](const Sighting& seen) {
+    return std::hypot(seen.pose.x - here.x, seen.pose.y - here.y) < 0.5 &&
+           std::abs(wrapAngle(seen.pose.yaw - here.yaw)) < 15.0 * kDegree;
+  };
+  sightings.erase(std::remove_if(sightings.begin(), sightings.end(), is_here), sightings.end());
+  return sightings;
+}
+
+bool Mapper::closeLoops(double way) {
+  const bool moves_map = options_.mode == MapperMode::kMap;
+  bool closed = false;
+  if (const ClosureCandidate* loop = loops_.accepted()) {
+    closed = closer_.close(*loop, session_, session_, moves_map, way);
+    if (!closed) loops_.dropForemost();
+  }
+  if (!closed && session_ != 1) {
+    if (const ClosureCandidate* join = joins_.accepted()) {
+      closed = closer_.close(*join, session_, 1, moves_map, way);
+      if (!closed) joins_.dropForemost();
+      if (closed) session_ = 1;
+    }
+  }
+  if (!closed) return false;
+  if (moves_map) {
+    afterRelaxing();
+  } else {
+    graph_.relaxRecent(kWindow);
+  }
+  loops_.clear();
+  joins_.clear();
+  lost_ = 0.0;
+  return true;
+}
+
+void Mapper::takeBack() {
+  if (const std::optional<int> apart = closer_.splitSession()) session_ = *apart;
+  if (options_.mode == MapperMode::kMap) {
+    graph_.relaxAll(session_, 15);
+    afterRelaxing();
+  }
+  // Places that had gone because they seemed doubled are made anew.
+  undecided_.clear();
+  for (NodeIndex at = 0; at < graph_.nodes().size(); ++at) {
+    if (graph_.node(at).session == session_) undecided_.push_back(at);
+  }
 }
 
 void Mapper::afterRelaxing() {
@@ -294,59 +236,6 @@ void Mapper::afterRelaxing() {
   }
   for (const PlaceId id : doubled) shelf_.remove(id, graph_);
   shelf_.follow(graph_);
-}
-
-bool Mapper::closeLoop(const ClosureCandidate& candidate, int target) {
-  const ClosureCandidate closure = candidate;
-  const bool joins = target != session_;
-  const int before = session_;
-  const int number = ++closures_;
-  std::vector<Pose2d> poses;
-  for (const ScanNode& node : graph_.nodes()) poses.push_back(node.pose);
-  double old_chi = 0.0;
-  for (const Tie& tie : graph_.ties()) old_chi += std::min(graph_.chiSquare(tie), 25.0);
-
-  if (joins) {
-    graph_.join(session_, target, closure.target_from_estimate);
-    shelf_.join(session_, target);
-    session_ = target;
-  }
-  for (const Witness& witness : closure.witnesses) {
-    const Pose2d kept = graph_.node(witness.node).pose;
-    const Pose2d there = joins ? kept : closure.target_from_estimate * kept;
-    if (shelf_.has(witness.place)) {
-      tieTo(witness.place, witness.node, {lay(graph_.node(witness.node), there.yaw), there}, 0.7,
-            20.0 * kDegree, number);
-    }
-  }
-  if (options_.mode == MapperMode::kMap) {
-    graph_.relaxAll(session_, 15);
-    double new_chi = 0.0;
-    int fresh = 0, outvoted = 0;
-    for (const Tie& tie : graph_.ties()) {
-      const double chi = graph_.chiSquare(tie);
-      if (tie.closure == number) {
-        ++fresh;
-        outvoted += chi > 16.0 ? 1 : 0;
-      } else {
-        new_chi += std::min(chi, 25.0);
-      }
-    }
-    if (!joins && (new_chi > old_chi + 25.0 || 3 * outvoted > fresh)) {
-      graph_.untie([&](const Tie& tie) { return tie.closure == number; });
-      for (std::size_t i = 0; i < poses.size(); ++i) graph_.node(i).pose = poses[i];
-      loops_.dropForemost();
-      return false;
-    }
-    afterRelaxing();
-  } else {
-    graph_.relaxRecent(kWindow);
-  }
-  (void)before;
-  loops_.clear();
-  joins_.clear();
-  lost_ = 0.0;
-  return true;
 }
 
 void Mapper::makePlaces() {

@@ -2,16 +2,18 @@
 #define PLACE_MEMORY_CORE_MAPPING_MAPPER_H
 
 #include <chrono>
-#include <map>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/mapping/closure_candidates.h"
 #include "core/mapping/dead_reckoning.h"
+#include "core/mapping/loop_closer.h"
 #include "core/mapping/moving_scan.h"
 #include "core/mapping/place_shelf.h"
 #include "core/mapping/scan_graph.h"
+#include "core/mapping/scan_tying.h"
 #include "core/sensing/heading_history.h"
 #include "place_memory/core/recognizer_options.h"
 #include "place_memory/core/sonar_model.h"
@@ -29,7 +31,7 @@ struct MapperOptions {
   double spacing = 1.3;  ///< least distance of a new place from all others [m]
   double doubled = 0.6;  ///< of two places nearer than this after a correction the newer goes [m]
   ClosureOptions closure;   ///< of loops, and of a session that is joined to the map
-  ClosureOptions relocate{2, 0.4, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
+  ClosureOptions relocate{2, 0.4, 0.0, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
   double cell_size = kDefaultCellSize;  ///< [m]
   SonarModelOptions sonar;
   RecognizerOptions recognizer;
@@ -68,6 +70,8 @@ struct MappedPlace {
 class Mapper {
  public:
   explicit Mapper(const MapperOptions& options);
+  Mapper(const Mapper&) = delete;
+  Mapper& operator=(const Mapper&) = delete;
 
   /// A compass heading [rad].
   void addHeading(std::chrono::nanoseconds stamp, double yaw);
@@ -93,33 +97,25 @@ class Mapper {
   const ScanGraph& graph() const { return graph_; }
 
  private:
-  /// A scan's grid, with its axes along the map's, where the robot is thought to have stood.
-  struct LaidScan {
-    EvidenceGrid grid;
-    Pose2d map_from_base;
-  };
-
   void process(const MovingScan& scan);
   NodeIndex append(const MovingScan& scan);
   double headingWindow() const;
-  EvidenceGrid lay(const ScanNode& node, double yaw) const;
-  Pose2d poseBy(const PlaceFit& fit, double scan_yaw) const;
-  std::vector<Sighting> sightings(const std::vector<PlaceFit>& fits, double scan_yaw) const;
-  bool track(NodeIndex at, const LaidScan& scan, const std::vector<PlaceFit>& fits);
-  bool tieTo(PlaceId id, NodeIndex node, const LaidScan& scan, double near, double window,
-             int closure);
-  bool closeLoop(const ClosureCandidate& candidate, int target);
+  std::function<bool(const Pose2d&)> placeNear(int session) const;
+  std::vector<Sighting> elsewhere(std::vector<Sighting> sightings, const LaidScan& scan) const;
+  bool closeLoops(double way);
+  void takeBack();
   void makePlaces();
   void afterRelaxing();
   void name(NodeIndex at, ScanDecision& decision) const;
 
   MapperOptions options_;
-  SonarModel sonar_;
   DeadReckoning reckoning_;
   MovingScanBuilder builder_;
   HeadingHistory headings_;
   ScanGraph graph_;
   PlaceShelf shelf_;
+  ScanTying tying_;
+  LoopCloser closer_;
   ClosureCandidates loops_;  ///< within the session's own frame
   ClosureCandidates joins_;  ///< with the map, while the session is apart
   std::vector<ScanDecision> decisions_;
@@ -132,7 +128,6 @@ class Mapper {
   double anchored_way_ = 0.0;  ///< at the last tie
   std::size_t scans_since_full_ = 0;
   bool ties_since_full_ = false;
-  int closures_ = 0;
   double lost_ = 0.0;
 };
 

@@ -75,6 +75,14 @@ void PlaceShelf::join(int session, int into) {
   }
 }
 
+void PlaceShelf::resort(ScanGraph& graph) {
+  for (auto& [id, home] : home_of_) {
+    if (graph.node(node_of_.at(id)).session == home) continue;
+    matchers_.at(home).erase(id);
+    shelve(id, graph);
+  }
+}
+
 const PlaceMatcher* PlaceShelf::matcher(int session) const {
   const auto found = matchers_.find(session);
   return found == matchers_.end() || found->second.size() == 0 ? nullptr : &found->second;

@@ -28,6 +28,9 @@ class PlaceShelf {
   /// Places of a session are another's now.
   void join(int session, int into);
 
+  /// After nodes came to be of another session: moves their places.
+  void resort(ScanGraph& graph);
+
   NodeIndex nodeOf(PlaceId id) const { return node_of_.at(id); }
   bool has(PlaceId id) const { return node_of_.count(id) > 0; }
   const std::map<PlaceId, NodeIndex>& places() const { return node_of_; }

@@ -177,6 +177,24 @@ void ScanGraph::relaxAll(int session, int iterations) {
   errors_ = problem.errors;
 }
 
+void ScanGraph::split(NodeIndex first, int session, const Pose2d& session_from_poses) {
+  for (NodeIndex at = first; at < nodes_.size(); ++at) {
+    nodes_[at].session = session;
+    nodes_[at].pose = session_from_poses * nodes_[at].pose;
+  }
+}
+
+std::vector<Pose2d> ScanGraph::poses() const {
+  std::vector<Pose2d> poses;
+  poses.reserve(nodes_.size());
+  for (const ScanNode& node : nodes_) poses.push_back(node.pose);
+  return poses;
+}
+
+void ScanGraph::setPoses(const std::vector<Pose2d>& poses) {
+  for (std::size_t i = 0; i < poses.size(); ++i) nodes_[i].pose = poses[i];
+}
+
 void ScanGraph::join(int session, int into, const Pose2d& into_from_session) {
   for (ScanNode& node : nodes_) {
     if (node.session != session) continue;

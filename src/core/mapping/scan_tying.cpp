@@ -1,0 +1,127 @@
+#include "core/mapping/scan_tying.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "core/grid/cell_shift.h"
+#include "core/sensing/moved_readings.h"
+
+namespace place_memory::core {
+namespace {
+
+constexpr double kDegree = kPi / 180.0;
+
+constexpr double kTieReach = 2.4;  ///< how far off the places are that a scan is tied to [m]
+constexpr int kMostTies = 4;
+/// What both grids owe to noise, beside what the alignment shows.
+constexpr double kTieNoise = 0.06;  // [m]
+constexpr double kTieTurnNoise = 2.0 * kDegree;
+constexpr double kTieTurn = 10.0 * kDegree;
+constexpr double kTrackWindow = 15.0 * kDegree;
+constexpr double kFarthest = 80.0;  ///< ways through the graph that are followed [m]
+
+/// The grid's content moved by whole cells.
+EvidenceGrid shifted(const EvidenceGrid& grid, CellShift shift) {
+  EvidenceGrid moved(grid.geometry());
+  const int first = std::max(0, shift.columns);
+  const int last = std::min(kGridSize, kGridSize + shift.columns);
+  for (int row = std::max(0, shift.rows); row < std::min(kGridSize, kGridSize + shift.rows);
+       ++row) {
+    for (int column = first; column < last; ++column) {
+      moved.add(row, column, grid.at(row - shift.rows, column - shift.columns));
+    }
+  }
+  return moved;
+}
+
+/// A covariance as a frame turned by `yaw` has it.
+Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, double yaw) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() << std::cos(yaw), -std::sin(yaw), std::sin(yaw), std::cos(yaw);
+  return turn * covariance * turn.transpose();
+}
+
+Pose2d turnOf(double yaw) { return {0.0, 0.0, yaw}; }
+
+}  // namespace
+
+LaidScan ScanTying::lay(NodeIndex node, const Pose2d& map_from_base) const {
+  return {sonar_.build(movedReadings(*graph_.node(node).readings, turnOf(map_from_base.yaw)),
+                       geometry_),
+          map_from_base};
+}
+
+std::vector<Sighting> ScanTying::sightings(const std::vector<PlaceFit>& fits,
+                                           const LaidScan& scan) const {
+  std::vector<Sighting> seen;
+  seen.reserve(fits.size());
+  for (const PlaceFit& fit : fits) {
+    const ScanNode& place = graph_.node(shelf_.nodeOf(fit.id));
+    seen.push_back({fit.id, fit.probability,
+                    place.pose * turnOf(-place.laid_yaw) * fit.place_from_scan *
+                        turnOf(scan.map_from_base.yaw)});
+  }
+  return seen;
+}
+
+bool ScanTying::track(NodeIndex node, const LaidScan& scan, const std::vector<PlaceFit>& fits,
+                      int closure) {
+  const Pose2d& estimate = scan.map_from_base;
+  const bool compass = graph_.node(node).compass.has_value();
+  const auto ways = graph_.ways(node, kFarthest);
+  const auto sigmaTo = [&](PlaceId id) {
+    const auto way = ways.find(shelf_.nodeOf(id));
+    return positionSigma(way == ways.end() ? kFarthest : way->second, compass);
+  };
+  const std::vector<Sighting> seen = sightings(fits, scan);
+  const bool there = std::any_of(seen.begin(), seen.end(), [&](const Sighting& sighting) {
+    const double off = std::hypot(sighting.pose.x - estimate.x, sighting.pose.y - estimate.y);
+    const double turn = std::abs(wrapAngle(sighting.pose.yaw - estimate.yaw));
+    const bool close = off <= 0.5 && turn <= 8.0 * kDegree && sighting.probability >= 0.3;
+    const bool sure = off <= 1.0 && turn <= 15.0 * kDegree && sighting.probability >= 0.82;
+    return (close || sure) && off <= 0.3 + 3.0 * sigmaTo(sighting.place);
+  });
+  if (!there) return false;
+  int ties = 0;
+  const int session = graph_.node(node).session;
+  for (const PlaceShelf::Near& near : shelf_.near(estimate, session, kTieReach, true, graph_)) {
+    if (ties == kMostTies) break;
+    const double reach = std::min(1.0, 0.3 + 3.0 * sigmaTo(near.id));
+    ties += tie(near.id, node, scan, reach, kTrackWindow, closure) ? 1 : 0;
+  }
+  return ties > 0;
+}
+
+bool ScanTying::tie(PlaceId id, NodeIndex node, const LaidScan& scan, double near, double window,
+                    int closure) {
+  const NodeIndex at = shelf_.nodeOf(id);
+  const ScanNode& place = graph_.node(at);
+  const Pose2d base_from_grid = turnOf(-place.laid_yaw);
+  const Pose2d scan_from_base = turnOf(scan.map_from_base.yaw);
+  const Pose2d expected =
+      (place.pose * base_from_grid).inverse() * scan.map_from_base * scan_from_base.inverse();
+  // Moved by whole cells to about the place's middle, within the reach of the search; what is left
+  // of the distance is for the alignment to tell.
+  const double cell = geometry_.cell_size;
+  const CellShift shift{static_cast<int>(std::lround(expected.x / cell)),
+                        static_cast<int>(std::lround(expected.y / cell))};
+  const Pose2d moved{shift.columns * cell, shift.rows * cell, 0.0};
+  const PlaceMatcher& matcher = *shelf_.matcher(place.session);
+  const PlaceFit fit = matcher.align(shifted(scan.grid, shift), id, window);
+  const Pose2d found = fit.place_from_scan * moved;
+  if (std::hypot(found.x - expected.x, found.y - expected.y) > near) return false;
+  if (std::abs(wrapAngle(found.yaw - expected.yaw)) > kTieTurn) return false;
+  // The alignment turns about the place, the robot stands aside.
+  Eigen::Matrix3d lever = Eigen::Matrix3d::Identity();
+  lever(0, 2) = -(found.y - fit.place_from_scan.y);
+  lever(1, 2) = found.x - fit.place_from_scan.x;
+  Eigen::Matrix3d covariance = fit.covariance;
+  covariance.diagonal() += Eigen::Vector3d(kTieNoise * kTieNoise, kTieNoise * kTieNoise,
+                                           kTieTurnNoise * kTieTurnNoise);
+  covariance = turned(lever * covariance * lever.transpose(), base_from_grid.yaw);
+  graph_.tie({at, node, base_from_grid * found * scan_from_base, covariance.inverse(), closure});
+  return true;
+}
+
+}  // namespace place_memory::core

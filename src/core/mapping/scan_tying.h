@@ -1,0 +1,51 @@
+#ifndef PLACE_MEMORY_CORE_MAPPING_SCAN_TYING_H
+#define PLACE_MEMORY_CORE_MAPPING_SCAN_TYING_H
+
+#include <vector>
+
+#include "core/mapping/closure_candidates.h"
+#include "core/mapping/place_shelf.h"
+#include "core/mapping/scan_graph.h"
+#include "place_memory/core/sonar_model.h"
+
+namespace place_memory::core {
+
+/// A scan's grid, its axes along the map's, and where the robot is thought to have stood.
+struct LaidScan {
+  EvidenceGrid grid;
+  Pose2d map_from_base;
+};
+
+/// Ties scans to places by where their grids align.
+class ScanTying {
+ public:
+  /// Keeps references to graph and shelf.
+  ScanTying(ScanGraph& graph, PlaceShelf& shelf, const SonarModelOptions& sonar, double cell_size)
+      : graph_(graph), shelf_(shelf), sonar_(sonar), geometry_{cell_size} {}
+
+  /// Lays a node's readings out where it would stand at `map_from_base`.
+  LaidScan lay(NodeIndex node, const Pose2d& map_from_base) const;
+
+  /// Where the fits of a scan put the robot.
+  std::vector<Sighting> sightings(const std::vector<PlaceFit>& fits, const LaidScan& scan) const;
+
+  /// Whether one of the fits is where the robot is thought to be, as far as odometry can tell since
+  /// it was at that place; then the scan is tied to the places about. `closure`: on which closure
+  /// all of this rests, 0: none.
+  bool track(NodeIndex node, const LaidScan& scan, const std::vector<PlaceFit>& fits, int closure);
+
+  /// Ties the node to a place where that aligns within `near` [m] of where the robot is thought to
+  /// be; `window` is how far the heading may be off [rad].
+  bool tie(PlaceId id, NodeIndex node, const LaidScan& scan, double near, double window,
+           int closure);
+
+ private:
+  ScanGraph& graph_;
+  PlaceShelf& shelf_;
+  SonarModel sonar_;
+  GridGeometry geometry_;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_MAPPING_SCAN_TYING_H
