@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kNewSpot = 0.02;                     // [m]
 constexpr double kNewHeading = 2.0 * kPi / 180.0;     // [rad]
+constexpr double kAboutMiddle = 0.12;                 // share of the stretch
+constexpr double kTurnCost = 0.5;                     // [m / (rad/s)]
 constexpr std::size_t kMostAtSpot = 48;               // readings
 constexpr double kLooksAhead = 170.0 * kPi / 180.0;   // widest gap between sonars of a ring [rad]
 
@@ -47,6 +49,27 @@ double MovingScanBuilder::wantedLength() const {
   return gap >= kLooksAhead ? options_.length_ahead : options_.length;
 }
 
+/// About the middle of the way, where the robot turns least: while it turns fast, clocks that differ
+/// by a tenth of a second put it elsewhere.
+std::size_t MovingScanBuilder::middleOf(std::size_t first) const {
+  const double reach = stations_.back().moment.way - stations_[first].moment.way;
+  const double middle = stations_.back().moment.way - 0.5 * reach;
+  std::size_t best = first;
+  double least = INFINITY;
+  for (std::size_t i = first; i < stations_.size(); ++i) {
+    const double off = std::abs(stations_[i].moment.way - middle);
+    const BaseMoment& before = stations_[std::max(i, first + 1) - 1].moment;
+    const BaseMoment& after = stations_[std::min(i + 1, stations_.size() - 1)].moment;
+    const double seconds = std::chrono::duration<double>(after.stamp - before.stamp).count();
+    const double rate = std::abs(after.turn - before.turn) / std::max(seconds, 0.01);
+    const double cost = off + (off <= kAboutMiddle * reach ? kTurnCost * rate : reach);
+    if (cost >= least) continue;
+    least = cost;
+    best = i;
+  }
+  return best;
+}
+
 std::optional<MovingScan> MovingScanBuilder::take() {
   if (kept_ == 0) return std::nullopt;
   const double now = stations_.back().moment.way;
@@ -69,11 +92,8 @@ std::optional<MovingScan> MovingScanBuilder::take() {
   if (!enough && reach < options_.longest - options_.spacing) return std::nullopt;
   last_scan_ = now;
 
-  std::size_t middle = first;
-  const double middle_way = now - 0.5 * reach;
-  while (middle + 1 < stations_.size() && stations_[middle].moment.way < middle_way) ++middle;
   MovingScan scan;
-  scan.middle = stations_[middle].moment;
+  scan.middle = stations_[middleOf(first)].moment;
   scan.first_way = stations_[first].moment.way;
   scan.last_way = now;
   scan.enough = enough;

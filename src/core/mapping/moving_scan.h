@@ -63,6 +63,7 @@ class MovingScanBuilder {
   };
 
   double wantedLength() const;
+  std::size_t middleOf(std::size_t first) const;
 
   MovingScanOptions options_;
   std::deque<Station> stations_;
