@@ -51,7 +51,7 @@ class Wanderer {
   }
   /// Something stands in the way.
   void turnBack() {
-    ++visits_[*target_];
+    visits_[*target_] += 3;
     std::swap(at_, *target_);
   }
 

@@ -32,6 +32,8 @@ class LoopCloser {
 
   /// The closure that is on trial, 0: none. Ties that rest on it go with it.
   int onTrial() const { return trial_ ? trial_->number : 0; }
+  /// The robot is elsewhere: what is on trial is neither proven nor disproven.
+  void endTrial() { trial_.reset(); }
   /// Of a trial that failed: the session that is apart again, where sessions had been joined.
   std::optional<int> splitSession() const { return split_; }
   /// Cuts closures whose ties are far off by now; whether there were any.

@@ -15,6 +15,9 @@ constexpr std::size_t kWindow = 40;        ///< nodes that a local correction mo
 constexpr std::size_t kFullEvery = 20;     ///< nodes between corrections of the whole map
 constexpr double kCompassWindow = 45.0 * kDegree;
 constexpr double kAtPlace = 0.6;           ///< so near to a place a scan should show it [m]
+constexpr double kSurelyElsewhere = 0.82;  ///< probability of another place
+constexpr double kSurelyLost = 0.97;
+constexpr double kLostAfterClosure = 0.05;
 constexpr double kLongUntied = 15.0;       ///< way after which the heading is anyone's guess [m]
 
 }  // namespace
@@ -53,14 +56,12 @@ void Mapper::beginSession() {
   builder_.restart();
   reckoning_.restart();
   headings_.clear();
-  last_middle_.reset();
-  first_of_session_ = true;
-  undecided_.clear();
-  loops_.clear();
-  joins_ = ClosureCandidates(options_.mode == MapperMode::kMap ? options_.closure
-                                                               : options_.relocate);
-  if (!graph_.nodes().empty()) session_ = ++last_session_;
-  lost_ = graph_.nodes().empty() ? 0.0 : 1.0;
+  if (!graph_.nodes().empty()) beginApart();
+}
+
+void Mapper::setMode(MapperMode mode) {
+  options_.mode = mode;
+  if (!graph_.nodes().empty()) map_stamp_ = graph_.nodes().back().stamp;
 }
 
 std::vector<ScanDecision> Mapper::takeDecisions() {
@@ -123,12 +124,13 @@ void Mapper::process(const MovingScan& scan) {
   decision.stamp = scan.middle.stamp;
   const LaidScan laid = tying_.lay(at, graph_.node(at).pose);
 
-  bool tracked = false;
+  bool tracked = false, recognized_elsewhere = false;
   if (const PlaceMatcher* own = shelf_.matcher(session_)) {
     const std::vector<PlaceFit> fits = own->recognize(laid.grid, headingWindow());
     tracked = tying_.track(at, laid, fits, closer_.onTrial());
-    loops_.update(at, way, stretch, laid.map_from_base, elsewhere(tying_.sightings(fits, laid), laid),
-                  placeNear(session_));
+    const std::vector<Sighting> others = elsewhere(tying_.sightings(fits, laid), laid);
+    recognized_elsewhere = !others.empty() && others.front().probability >= kSurelyElsewhere;
+    loops_.update(at, way, stretch, laid.map_from_base, others, placeNear(session_));
   }
   if (tracked) {
     anchored_way_ = way;
@@ -159,8 +161,33 @@ void Mapper::process(const MovingScan& scan) {
     makePlaces();
     if (graph_.node(at).place != kNoPlace) decision.kind = ScanDecision::Kind::kNewPlace;
   }
+  judgeLost(at, tracked, recognized_elsewhere);
+  decision.lost = lost();
+  decision.belief = 1.0 - decision.lost;
   name(at, decision);
   decisions_.push_back(decision);
+  if (options_.mode == MapperMode::kLocalize) tidy();
+}
+
+void Mapper::judgeLost(NodeIndex at, bool tracked, bool elsewhere) {
+  const ScanNode& node = graph_.node(at);
+  if (!node.before || session_ != 1) return;
+  ScanWitness witness = ScanWitness::kSilent;
+  if (tracked) {
+    witness = ScanWitness::kAgrees;
+  } else if (placeNear(session_)(node.pose)) {
+    witness = elsewhere ? ScanWitness::kElsewhere : ScanWitness::kMisses;
+  }
+  const double stretch = std::max(node.last_way - node.first_way, 1e-3);
+  const double moved = node.last_way - graph_.node(*node.before).last_way;
+  lost_.update(witness, std::min(1.0, moved / stretch), moved);
+  if (lost_.probability() > kSurelyLost) beginApart();
+}
+
+void Mapper::tidy() {
+  if (graph_.nodes().size() <= kWindow) return;
+  ScanNode& old = graph_.node(graph_.nodes().size() - 1 - kWindow);
+  if (old.place == kNoPlace && old.stamp > map_stamp_) old.readings.reset();
 }
 
 std::function<bool(const Pose2d&)> Mapper::placeNear(int session) const {
@@ -202,8 +229,21 @@ bool Mapper::closeLoops(double way) {
   }
   loops_.clear();
   joins_.clear();
-  lost_ = 0.0;
+  lost_.set(kLostAfterClosure);
   return true;
+}
+
+void Mapper::beginApart() {
+  // The readings so far stay: the robot was lost before it showed.
+  last_middle_.reset();
+  first_of_session_ = true;
+  undecided_.clear();
+  loops_.clear();
+  joins_ = ClosureCandidates(options_.mode == MapperMode::kMap ? options_.closure
+                                                               : options_.relocate);
+  closer_.endTrial();
+  session_ = ++last_session_;
+  lost_.set(0.0);
 }
 
 void Mapper::takeBack() {
@@ -259,7 +299,7 @@ void Mapper::name(NodeIndex at, ScanDecision& decision) const {
     decision.place = node.place;
     return;
   }
-  if (session_ != 1) {
+  if (session_ != 1 || graph_.node(at).session != 1) {
     decision.kind = loops_.empty() && joins_.empty() ? ScanDecision::Kind::kLost
                                                      : ScanDecision::Kind::kCandidate;
     return;

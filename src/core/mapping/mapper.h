@@ -10,6 +10,7 @@
 #include "core/mapping/closure_candidates.h"
 #include "core/mapping/dead_reckoning.h"
 #include "core/mapping/loop_closer.h"
+#include "core/mapping/lost_estimate.h"
 #include "core/mapping/moving_scan.h"
 #include "core/mapping/place_shelf.h"
 #include "core/mapping/scan_graph.h"
@@ -82,7 +83,7 @@ class Mapper {
                   const SonarReading& reading);
   /// How the robot got to where it is now is not known: it was carried, or odometry starts anew.
   void beginSession();
-  void setMode(MapperMode mode) { options_.mode = mode; }
+  void setMode(MapperMode mode);
   MapperMode mode() const { return options_.mode; }
 
   /// What became of scans since it was asked last.
@@ -91,7 +92,7 @@ class Mapper {
   /// Corrects odometry's newest pose; nothing while where the robot is is not known.
   std::optional<Pose2d> mapFromOdom() const;
   /// Probability that it is wrong, or 1 where there is none.
-  double lost() const { return lost_; }
+  double lost() const { return session_ == 1 ? lost_.probability() : 1.0; }
 
   std::vector<MappedPlace> places() const;
   const ScanGraph& graph() const { return graph_; }
@@ -104,6 +105,9 @@ class Mapper {
   std::vector<Sighting> elsewhere(std::vector<Sighting> sightings, const LaidScan& scan) const;
   bool closeLoops(double way);
   void takeBack();
+  void judgeLost(NodeIndex at, bool tracked, bool elsewhere);
+  void beginApart();
+  void tidy();
   void makePlaces();
   void afterRelaxing();
   void name(NodeIndex at, ScanDecision& decision) const;
@@ -126,9 +130,10 @@ class Mapper {
   std::optional<BaseMoment> last_middle_;  ///< of the newest node
   Pose2d newest_odom_;
   double anchored_way_ = 0.0;  ///< at the last tie
+  std::chrono::nanoseconds map_stamp_{0};  ///< of the newest scan of the map that is localized in
   std::size_t scans_since_full_ = 0;
   bool ties_since_full_ = false;
-  double lost_ = 0.0;
+  LostEstimate lost_;
 };
 
 }  // namespace place_memory::core

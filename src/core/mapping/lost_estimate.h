@@ -1,0 +1,30 @@
+#ifndef PLACE_MEMORY_CORE_MAPPING_LOST_ESTIMATE_H
+#define PLACE_MEMORY_CORE_MAPPING_LOST_ESTIMATE_H
+
+namespace place_memory::core {
+
+/// What one scan showed of whether the robot is where it thinks.
+enum class ScanWitness {
+  kAgrees,    ///< it was tracked at a place
+  kSilent,    ///< no place is near where it thinks it is
+  kMisses,    ///< a place is near, but the scan is not of it
+  kElsewhere  ///< likewise, and another place is recognized
+};
+
+/// P(lost): a two-state filter. A robot may be lifted at any time; scans at known places tell.
+/// Scans that share readings say the same once more, and count by what part of them is new.
+class LostEstimate {
+ public:
+  double probability() const { return lost_; }
+  void set(double probability) { lost_ = probability; }
+
+  /// `share`: the new part of the scan's readings, in (0, 1]; `way`: since the last scan [m].
+  void update(ScanWitness witness, double share, double way);
+
+ private:
+  double lost_ = 0.0;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_MAPPING_LOST_ESTIMATE_H
