@@ -58,7 +58,7 @@ bool LoopCloser::close(const ClosureCandidate& candidate, int session, int targe
     trial.joined = session;
     while (graph_.node(trial.first_joined).session != session) ++trial.first_joined;
     graph_.join(session, target, candidate.target_from_estimate);
-    shelf_.join(session, target);
+    shelf_.join(session, target, graph_);
   }
   if (!moves_map) {
     tieWitnesses(candidate, joins, number);

@@ -192,7 +192,7 @@ void Mapper::tidy() {
 
 std::function<bool(const Pose2d&)> Mapper::placeNear(int session) const {
   return [this, session](const Pose2d& pose) {
-    return !shelf_.near(pose, session, kAtPlace, true, graph_).empty();
+    return !shelf_.near(pose, session, kAtPlace, true).empty();
   };
 }
 
@@ -263,11 +263,12 @@ void Mapper::afterRelaxing() {
   scans_since_full_ = 0;
   ties_since_full_ = false;
   // Of places that have come to lie on each other the newer one goes; its scan stays in the graph.
+  shelf_.follow(graph_);
   std::vector<PlaceId> doubled;
   for (const auto& [id, at] : shelf_.places()) {
     const ScanNode& node = graph_.node(at);
     for (const PlaceShelf::Near& near :
-         shelf_.near(node.pose, node.session, options_.doubled, false, graph_)) {
+         shelf_.near(node.pose, node.session, options_.doubled, false)) {
       if (near.id < id) {
         doubled.push_back(id);
         break;
@@ -275,7 +276,6 @@ void Mapper::afterRelaxing() {
     }
   }
   for (const PlaceId id : doubled) shelf_.remove(id, graph_);
-  shelf_.follow(graph_);
 }
 
 void Mapper::makePlaces() {
@@ -286,7 +286,7 @@ void Mapper::makePlaces() {
   if (pending(loops_) || pending(joins_)) return;
   for (const NodeIndex at : undecided_) {
     const ScanNode& node = graph_.node(at);
-    if (shelf_.near(node.pose, node.session, options_.spacing, false, graph_).empty()) {
+    if (shelf_.near(node.pose, node.session, options_.spacing, false).empty()) {
       shelf_.add(at, graph_);
     }
   }
@@ -305,7 +305,7 @@ void Mapper::name(NodeIndex at, ScanDecision& decision) const {
     return;
   }
   const auto ways = graph_.ways(at, 3.0);
-  for (const PlaceShelf::Near& near : shelf_.near(node.pose, session_, 1.2, true, graph_)) {
+  for (const PlaceShelf::Near& near : shelf_.near(node.pose, session_, 1.2, true)) {
     const NodeIndex place = shelf_.nodeOf(near.id);
     if (ways.find(place) == ways.end()) continue;
     decision.place = near.id;

@@ -32,7 +32,7 @@ struct MapperOptions {
   double spacing = 1.3;  ///< least distance of a new place from all others [m]
   double doubled = 0.6;  ///< of two places nearer than this after a correction the newer goes [m]
   ClosureOptions closure;   ///< of loops, and of a session that is joined to the map
-  ClosureOptions relocate{2, 0.4, 0.0, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
+  ClosureOptions relocate{2, 0.2, 0.0, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
   double cell_size = kDefaultCellSize;  ///< [m]
   SonarModelOptions sonar;
   RecognizerOptions recognizer;

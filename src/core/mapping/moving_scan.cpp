@@ -31,6 +31,7 @@ void MovingScanBuilder::add(const BaseMoment& moment, const SonarReading& readin
 void MovingScanBuilder::restart() {
   stations_.clear();
   kept_ = 0;
+  looked_at_ = 0;
   last_scan_ = -1e9;
 }
 
@@ -73,10 +74,15 @@ std::size_t MovingScanBuilder::middleOf(std::size_t first) const {
 std::optional<MovingScan> MovingScanBuilder::take() {
   if (kept_ == 0) return std::nullopt;
   const double now = stations_.back().moment.way;
-  if (now - last_scan_ < options_.spacing) return std::nullopt;
+  if (now - std::max(last_scan_, stations_.front().moment.way) < options_.spacing) {
+    return std::nullopt;
+  }
+  if (stations_.size() == looked_at_) return std::nullopt;  // nothing but another reading
+  looked_at_ = stations_.size();
   while (stations_.size() > 1 && now - stations_[1].moment.way > options_.longest) {
     kept_ -= stations_.front().readings.size();
     stations_.pop_front();
+    looked_at_ = 0;
   }
   const double wanted = wantedLength();
   std::size_t first = stations_.size();

@@ -68,6 +68,7 @@ class MovingScanBuilder {
   MovingScanOptions options_;
   std::deque<Station> stations_;
   std::size_t kept_ = 0;  ///< readings of all stations
+  std::size_t looked_at_ = 0;  ///< stations when it was last seen whether a scan is ready
   double last_scan_ = -1e9;  ///< way at which the last scan was taken
 };
 

@@ -8,6 +8,7 @@
 namespace place_memory::core {
 namespace {
 
+constexpr double kBucket = 1.5;                  // [m]
 constexpr double kLaidAnew = 2.0 * kPi / 180.0;  // [rad]
 
 /// The grid's frame: at the base, its axes along the map's when it was laid out.
@@ -21,12 +22,16 @@ PlaceId PlaceShelf::add(NodeIndex at, ScanGraph& graph) {
   const PlaceId id = ++last_id_;
   graph.node(at).place = id;
   node_of_[id] = at;
+  const ScanNode& node = graph.node(at);
+  locators_.try_emplace(node.session, kBucket).first->second.put(id, node.pose);
   unripe_.push_back(id);
   return id;
 }
 
 void PlaceShelf::remove(PlaceId id, ScanGraph& graph) {
-  graph.node(node_of_.at(id)).place = kNoPlace;
+  ScanNode& node = graph.node(node_of_.at(id));
+  node.place = kNoPlace;
+  locators_.at(node.session).erase(id);
   const auto home = home_of_.find(id);
   if (home != home_of_.end()) {
     matchers_.at(home->second).erase(id);
@@ -55,6 +60,7 @@ void PlaceShelf::ripen(double way, ScanGraph& graph) {
 }
 
 void PlaceShelf::follow(ScanGraph& graph) {
+  locate(graph);
   for (const auto& [id, session] : home_of_) {
     const ScanNode& node = graph.node(node_of_.at(id));
     if (std::abs(wrapAngle(node.pose.yaw - node.laid_yaw)) > kLaidAnew) {
@@ -65,7 +71,8 @@ void PlaceShelf::follow(ScanGraph& graph) {
   }
 }
 
-void PlaceShelf::join(int session, int into) {
+void PlaceShelf::join(int session, int into, const ScanGraph& graph) {
+  locate(graph);
   const auto from = matchers_.find(session);
   if (from == matchers_.end()) return;
   matchers_.try_emplace(into, options_).first->second.takeAll(from->second);
@@ -76,6 +83,7 @@ void PlaceShelf::join(int session, int into) {
 }
 
 void PlaceShelf::resort(ScanGraph& graph) {
+  locate(graph);
   for (auto& [id, home] : home_of_) {
     if (graph.node(node_of_.at(id)).session == home) continue;
     matchers_.at(home).erase(id);
@@ -89,18 +97,24 @@ const PlaceMatcher* PlaceShelf::matcher(int session) const {
 }
 
 std::vector<PlaceShelf::Near> PlaceShelf::near(const Pose2d& pose, int session, double radius,
-                                               bool only_ripe, const ScanGraph& graph) const {
-  std::vector<Near> found;
+                                               bool only_ripe) const {
+  const auto locator = locators_.find(session);
+  if (locator == locators_.end()) return {};
+  std::vector<Near> found = locator->second.near(pose, radius);
+  if (only_ripe) {
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [this](const Near& near) { return !ripe(near.id); }),
+                found.end());
+  }
+  return found;
+}
+
+void PlaceShelf::locate(const ScanGraph& graph) {
+  locators_.clear();
   for (const auto& [id, at] : node_of_) {
     const ScanNode& node = graph.node(at);
-    if (node.session != session || (only_ripe && !ripe(id))) continue;
-    const double distance = std::hypot(node.pose.x - pose.x, node.pose.y - pose.y);
-    if (distance <= radius) found.push_back({id, distance});
+    locators_.try_emplace(node.session, kBucket).first->second.put(id, node.pose);
   }
-  std::sort(found.begin(), found.end(), [](const Near& a, const Near& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.id < b.id;
-  });
-  return found;
 }
 
 }  // namespace place_memory::core

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/map/place_locator.h"
 #include "core/mapping/place_matcher.h"
 #include "core/mapping/scan_graph.h"
 #include "place_memory/core/sonar_model.h"
@@ -23,10 +24,10 @@ class PlaceShelf {
   void remove(PlaceId id, ScanGraph& graph);
   /// Lets places be matched against that share no reading with a stretch that begins at `way`.
   void ripen(double way, ScanGraph& graph);
-  /// After poses changed: lays grids anew along headings that were corrected.
+  /// After poses changed: follows them, and lays grids anew along headings that were corrected.
   void follow(ScanGraph& graph);
   /// Places of a session are another's now.
-  void join(int session, int into);
+  void join(int session, int into, const ScanGraph& graph);
 
   /// After nodes came to be of another session: moves their places.
   void resort(ScanGraph& graph);
@@ -38,16 +39,13 @@ class PlaceShelf {
   const PlaceMatcher* matcher(int session) const;
   bool ripe(PlaceId id) const { return home_of_.count(id) > 0; }
 
-  struct Near {
-    PlaceId id;
-    double distance;  ///< [m]
-  };
+  using Near = PlaceLocator::Near;
   /// Places of a session within `radius` [m], nearest first.
-  std::vector<Near> near(const Pose2d& pose, int session, double radius, bool only_ripe,
-                         const ScanGraph& graph) const;
+  std::vector<Near> near(const Pose2d& pose, int session, double radius, bool only_ripe) const;
 
  private:
   void shelve(PlaceId id, ScanGraph& graph);
+  void locate(const ScanGraph& graph);
 
   RecognizerOptions options_;
   SonarModel sonar_;
@@ -57,6 +55,7 @@ class PlaceShelf {
   std::map<PlaceId, int> home_of_;     ///< session in whose matcher a ripe place is
   std::vector<PlaceId> unripe_;
   std::map<int, PlaceMatcher> matchers_;  ///< by session
+  std::map<int, PlaceLocator> locators_;  ///< likewise, of all places
 };
 
 }  // namespace place_memory::core

@@ -85,7 +85,7 @@ bool ScanTying::track(NodeIndex node, const LaidScan& scan, const std::vector<Pl
   if (!there) return false;
   int ties = 0;
   const int session = graph_.node(node).session;
-  for (const PlaceShelf::Near& near : shelf_.near(estimate, session, kTieReach, true, graph_)) {
+  for (const PlaceShelf::Near& near : shelf_.near(estimate, session, kTieReach, true)) {
     if (ties == kMostTies) break;
     const double reach = std::min(1.0, 0.3 + 3.0 * sigmaTo(near.id));
     ties += tie(near.id, node, scan, reach, kTrackWindow, closure) ? 1 : 0;

@@ -1,0 +1,91 @@
+#ifndef PLACE_MEMORY_CORE_MAP_PLACE_BELIEF_H
+#define PLACE_MEMORY_CORE_MAP_PLACE_BELIEF_H
+
+#include <cstddef>
+#include <functional>
+#include <unordered_map>
+#include <vector>
+
+#include "place_memory/core/place_id.h"
+#include "place_memory/core/pose2d.h"
+
+namespace place_memory::core {
+
+struct PlaceBeliefOptions {
+  double lifted = 0.03;         ///< share that is carried anywhere in an update of a whole scan
+  double off_map_stays = 0.8;   ///< of off-map in such an update; the rest may be at any place
+  double region = 1.0;          ///< so near to a place a pose is at it [m]
+  double softening = 3.0;       ///< score by which a likelihood falls to 1 / e
+  double floor = 0.01;          ///< likelihood of a place that is not among the matches; best: 1
+  double off_map_softening = 0.5;  ///< exponent of the odds that the scan is of no place
+  double pose_sigma = 0.5;      ///< of a match about where a place was believed to see it [m]
+  double pose_floor = 0.1;      ///< what a match elsewhere in the place still counts
+};
+
+/// Where a scan matched one place.
+struct BeliefMatch {
+  PlaceId id = kNoPlace;
+  double score = 0.0;      ///< higher is better
+  Pose2d place_from_base;  ///< of the base there
+};
+
+/// Discrete Bayes filter over the places and one state "off the map" (Simmons 1995, Labbe 2013):
+/// each place with the pose at which it would see the robot. Only places that have mass of their
+/// own or a match are touched, so that an update takes no longer with many places; the others share
+/// one number.
+class PlaceBelief {
+ public:
+  struct State {
+    double mass = 0.0;
+    Pose2d place_from_base;
+  };
+
+  /// What motion needs to know of the map.
+  struct Map {
+    std::size_t places = 0;
+    /// Of a place that is in the map.
+    std::function<Pose2d(PlaceId)> map_from_place;
+    /// The place nearest to a pose within the region; kNoPlace: none is.
+    std::function<PlaceId(const Pose2d&)> nearest;
+  };
+
+  explicit PlaceBelief(const PlaceBeliefOptions& options) : options_(options) { reset(); }
+
+  /// Nothing is known: the robot may be anywhere, or off the map.
+  void reset();
+  /// The robot is at a place for sure, as by a person's word.
+  void setTo(PlaceId id, const Pose2d& place_from_base);
+
+  /// Odometry moved. `share`: of a whole scan's way that this was, in (0, 1].
+  void predict(const Pose2d& motion, double share, const Map& map);
+  /// A scan was matched. `known`: the calibrated probability that it is of any place, in [0, 1];
+  /// `share`: what part of the scan is new, in (0, 1].
+  void measure(const std::vector<BeliefMatch>& matches, double known, double share,
+               const Map& map);
+
+  double offMap() const { return off_map_; }
+  double probability(PlaceId id, const Map& map) const;
+  /// Places with mass of their own.
+  const std::unordered_map<PlaceId, State>& states() const { return states_; }
+  struct Cluster {
+    PlaceId place = kNoPlace;  ///< the most probable of it
+    double mass = 0.0;         ///< of all places that put the robot where that does
+  };
+  /// The largest; kNoPlace where no place has mass of its own.
+  Cluster largest(const Map& map) const;
+  /// Off-map plus what is outside the largest cluster.
+  double lost(const Map& map) const { return 1.0 - largest(map).mass; }
+
+ private:
+  double shareOfEach(const Map& map) const;
+  void normalize();
+
+  PlaceBeliefOptions options_;
+  std::unordered_map<PlaceId, State> states_;
+  double elsewhere_ = 0.0;  ///< mass of all other places together
+  double off_map_ = 1.0;
+};
+
+}  // namespace place_memory::core
+
+#endif  // PLACE_MEMORY_CORE_MAP_PLACE_BELIEF_H
