@@ -27,6 +27,13 @@ void PlaceBelief::setTo(PlaceId id, const Pose2d& place_from_base) {
   off_map_ = 0.0;
 }
 
+void PlaceBelief::forget(PlaceId id) {
+  const auto found = states_.find(id);
+  if (found == states_.end()) return;
+  elsewhere_ += found->second.mass;
+  states_.erase(found);
+}
+
 double PlaceBelief::shareOfEach(const Map& map) const {
   const std::size_t others = map.places > states_.size() ? map.places - states_.size() : 0;
   return others == 0 ? 0.0 : elsewhere_ / static_cast<double>(others);

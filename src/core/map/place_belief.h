@@ -56,6 +56,9 @@ class PlaceBelief {
   /// The robot is at a place for sure, as by a person's word.
   void setTo(PlaceId id, const Pose2d& place_from_base);
 
+  /// The place is no more in the map: the robot is at one of the others, or off the map.
+  void forget(PlaceId id);
+
   /// Odometry moved. `share`: of a whole scan's way that this was, in (0, 1].
   void predict(const Pose2d& motion, double share, const Map& map);
   /// A scan was matched. `known`: the calibrated probability that it is of any place, in [0, 1];

@@ -12,14 +12,13 @@ enum class ScanWitness {
 };
 
 /// P(lost): a two-state filter. A robot may be lifted at any time; scans at known places tell.
-/// Scans that share readings say the same once more, and count by what part of them is new.
 class LostEstimate {
  public:
   double probability() const { return lost_; }
   void set(double probability) { lost_ = probability; }
 
-  /// `share`: the new part of the scan's readings, in (0, 1]; `way`: since the last scan [m].
-  void update(ScanWitness witness, double share, double way);
+  /// `way`: since the last scan [m].
+  void update(ScanWitness witness, double way);
 
  private:
   double lost_ = 0.0;

@@ -16,8 +16,13 @@ constexpr std::size_t kFullEvery = 20;     ///< nodes between corrections of the
 constexpr double kCompassWindow = 45.0 * kDegree;
 constexpr double kAtPlace = 0.6;           ///< so near to a place a scan should show it [m]
 constexpr double kSurelyElsewhere = 0.82;  ///< probability of another place
-constexpr double kSurelyLost = 0.97;
+constexpr double kSurelyLost = 0.98;
+/// Further from its last tie a robot may not expect to see what is near where it thinks it is [m].
+constexpr double kSurelyAnchored = 12.0;
 constexpr double kLostAfterClosure = 0.05;
+constexpr int kMapSession = 1;
+constexpr double kRegion = 1.0;            ///< of a place, for the belief [m]
+constexpr std::size_t kMostTold = 32;      ///< places of a belief
 constexpr double kLongUntied = 15.0;       ///< way after which the heading is anyone's guess [m]
 
 }  // namespace
@@ -36,7 +41,8 @@ Mapper::Mapper(const MapperOptions& options)
       tying_(graph_, shelf_, options.sonar, options.cell_size),
       closer_(graph_, shelf_, tying_),
       loops_(options.closure),
-      joins_(options.closure) {}
+      joins_(options.closure),
+      belief_(PlaceBeliefOptions{}) {}
 
 void Mapper::addHeading(std::chrono::nanoseconds stamp, double yaw) { headings_.add(stamp, yaw); }
 
@@ -71,7 +77,7 @@ std::vector<ScanDecision> Mapper::takeDecisions() {
 }
 
 std::optional<Pose2d> Mapper::mapFromOdom() const {
-  if (session_ != 1 || !last_middle_) return std::nullopt;
+  if (session_ != kMapSession || !last_middle_) return std::nullopt;
   const Pose2d map_from_base =
       graph_.nodes().back().pose * (last_middle_->reckoned.inverse() * reckoning_.pose());
   return map_from_base * newest_odom_.inverse();
@@ -82,7 +88,7 @@ std::vector<MappedPlace> Mapper::places() const {
   for (const auto& [id, at] : shelf_.places()) {
     const ScanNode& node = graph_.node(at);
     places.push_back({id, "place_" + std::to_string(id), node.stamp, node.pose,
-                      node.session != 1});
+                      node.session != kMapSession});
   }
   return places;
 }
@@ -127,6 +133,7 @@ void Mapper::process(const MovingScan& scan) {
   bool tracked = false, recognized_elsewhere = false;
   if (const PlaceMatcher* own = shelf_.matcher(session_)) {
     const std::vector<PlaceFit> fits = own->recognize(laid.grid, headingWindow());
+    if (session_ == kMapSession) believe(at, fits, laid);
     tracked = tying_.track(at, laid, fits, closer_.onTrial());
     const std::vector<Sighting> others = elsewhere(tying_.sightings(fits, laid), laid);
     recognized_elsewhere = !others.empty() && others.front().probability >= kSurelyElsewhere;
@@ -140,11 +147,13 @@ void Mapper::process(const MovingScan& scan) {
   // A compass holds the heading on new ground too.
   if (tracked || graph_.node(at).compass) graph_.relaxRecent(kWindow);
   if (closer_.observe(tracked, placeNear(session_)(graph_.node(at).pose), way)) takeBack();
-  if (session_ != 1) {
-    if (const PlaceMatcher* map = shelf_.matcher(1)) {
+  if (session_ != kMapSession) {
+    if (const PlaceMatcher* map = shelf_.matcher(kMapSession)) {
       const double window = graph_.node(at).compass ? kCompassWindow : kPi;
-      joins_.update(at, way, stretch, graph_.node(at).pose,
-                    tying_.sightings(map->recognize(laid.grid, window), laid), placeNear(1));
+      const std::vector<PlaceFit> fits = map->recognize(laid.grid, window);
+      believe(at, fits, laid);
+      joins_.update(at, way, stretch, graph_.node(at).pose, tying_.sightings(fits, laid),
+                    placeNear(kMapSession));
     }
   }
   if (closeLoops(way)) {
@@ -163,24 +172,69 @@ void Mapper::process(const MovingScan& scan) {
   }
   judgeLost(at, tracked, recognized_elsewhere);
   decision.lost = lost();
-  decision.belief = 1.0 - decision.lost;
   name(at, decision);
+  if (decision.place != kNoPlace) {
+    decision.belief = belief_.probability(decision.place, beliefMap());
+  }
   decisions_.push_back(decision);
   if (options_.mode == MapperMode::kLocalize) tidy();
 }
 
+PlaceBelief::Map Mapper::beliefMap() const {
+  PlaceBelief::Map map;
+  const PlaceMatcher* matcher = shelf_.matcher(kMapSession);
+  map.places = matcher ? matcher->size() : 0;
+  map.map_from_place = [this](PlaceId id) { return graph_.node(shelf_.nodeOf(id)).pose; };
+  map.nearest = [this](const Pose2d& pose) {
+    const std::vector<PlaceShelf::Near> near = shelf_.near(pose, kMapSession, kRegion, true);
+    return near.empty() ? kNoPlace : near.front().id;
+  };
+  return map;
+}
+
+void Mapper::believe(NodeIndex at, const std::vector<PlaceFit>& fits, const LaidScan& scan) {
+  const ScanNode& node = graph_.node(at);
+  const double stretch = std::max(node.last_way - node.first_way, 1e-3);
+  const double moved = node.before ? node.last_way - graph_.node(*node.before).last_way : stretch;
+  const PlaceBelief::Map map = beliefMap();
+  if (node.before) {
+    belief_.predict(graph_.node(*node.before).pose.inverse() * scan.map_from_base,
+                    std::min(1.0, moved), map);
+  }
+  std::vector<BeliefMatch> matches;
+  double known = 0.0;
+  const std::vector<Sighting> seen = tying_.sightings(fits, scan);
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    known += fits[i].probability;
+    matches.push_back({fits[i].id, fits[i].score,
+                       map.map_from_place(fits[i].id).inverse() * seen[i].pose});
+  }
+  belief_.measure(matches, known, std::min(1.0, moved), map);
+}
+
+BeliefSummary Mapper::belief() const {
+  BeliefSummary summary;
+  for (const auto& [id, state] : belief_.states()) summary.places.emplace_back(id, state.mass);
+  std::sort(summary.places.begin(), summary.places.end(), [](const auto& a, const auto& b) {
+    return a.second != b.second ? a.second > b.second : a.first < b.first;
+  });
+  if (summary.places.size() > kMostTold) summary.places.resize(kMostTold);
+  summary.off_map = belief_.offMap();
+  summary.lost = lost();
+  return summary;
+}
+
 void Mapper::judgeLost(NodeIndex at, bool tracked, bool elsewhere) {
   const ScanNode& node = graph_.node(at);
-  if (!node.before || session_ != 1) return;
+  if (!node.before || session_ != kMapSession) return;
   ScanWitness witness = ScanWitness::kSilent;
   if (tracked) {
     witness = ScanWitness::kAgrees;
-  } else if (placeNear(session_)(node.pose)) {
+  } else if (reckoning_.way() - anchored_way_ < kSurelyAnchored &&
+             placeNear(session_)(node.pose)) {
     witness = elsewhere ? ScanWitness::kElsewhere : ScanWitness::kMisses;
   }
-  const double stretch = std::max(node.last_way - node.first_way, 1e-3);
-  const double moved = node.last_way - graph_.node(*node.before).last_way;
-  lost_.update(witness, std::min(1.0, moved / stretch), moved);
+  lost_.update(witness, node.last_way - graph_.node(*node.before).last_way);
   if (lost_.probability() > kSurelyLost) beginApart();
 }
 
@@ -214,11 +268,11 @@ bool Mapper::closeLoops(double way) {
     closed = closer_.close(*loop, session_, session_, moves_map, way);
     if (!closed) loops_.dropForemost();
   }
-  if (!closed && session_ != 1) {
+  if (!closed && session_ != kMapSession) {
     if (const ClosureCandidate* join = joins_.accepted()) {
-      closed = closer_.close(*join, session_, 1, moves_map, way);
+      closed = closer_.close(*join, session_, kMapSession, moves_map, way);
       if (!closed) joins_.dropForemost();
-      if (closed) session_ = 1;
+      if (closed) session_ = kMapSession;
     }
   }
   if (!closed) return false;
@@ -244,6 +298,7 @@ void Mapper::beginApart() {
   closer_.endTrial();
   session_ = ++last_session_;
   lost_.set(0.0);
+  belief_.reset();
 }
 
 void Mapper::takeBack() {
@@ -275,7 +330,10 @@ void Mapper::afterRelaxing() {
       }
     }
   }
-  for (const PlaceId id : doubled) shelf_.remove(id, graph_);
+  for (const PlaceId id : doubled) {
+    shelf_.remove(id, graph_);
+    belief_.forget(id);
+  }
 }
 
 void Mapper::makePlaces() {
@@ -299,7 +357,7 @@ void Mapper::name(NodeIndex at, ScanDecision& decision) const {
     decision.place = node.place;
     return;
   }
-  if (session_ != 1 || graph_.node(at).session != 1) {
+  if (session_ != kMapSession || graph_.node(at).session != kMapSession) {
     decision.kind = loops_.empty() && joins_.empty() ? ScanDecision::Kind::kLost
                                                      : ScanDecision::Kind::kCandidate;
     return;

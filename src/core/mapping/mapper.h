@@ -5,8 +5,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/map/place_belief.h"
 #include "core/mapping/closure_candidates.h"
 #include "core/mapping/dead_reckoning.h"
 #include "core/mapping/loop_closer.h"
@@ -54,6 +56,13 @@ struct ScanDecision {
 /// "new_place", "tracked", "closed", "candidate", "between" or "lost", as tables have it.
 const char* nameOf(ScanDecision::Kind kind);
 
+/// The belief as others are told it.
+struct BeliefSummary {
+  std::vector<std::pair<PlaceId, double>> places;  ///< the most probable, most probable first
+  double off_map = 1.0;
+  double lost = 1.0;
+};
+
 /// A place of the map.
 struct MappedPlace {
   PlaceId id = kNoPlace;
@@ -94,6 +103,9 @@ class Mapper {
   /// Probability that it is wrong, or 1 where there is none.
   double lost() const { return session_ == 1 ? lost_.probability() : 1.0; }
 
+  /// Over the places of the map; kept up with every scan.
+  BeliefSummary belief() const;
+
   std::vector<MappedPlace> places() const;
   const ScanGraph& graph() const { return graph_; }
 
@@ -105,6 +117,8 @@ class Mapper {
   std::vector<Sighting> elsewhere(std::vector<Sighting> sightings, const LaidScan& scan) const;
   bool closeLoops(double way);
   void takeBack();
+  PlaceBelief::Map beliefMap() const;
+  void believe(NodeIndex at, const std::vector<PlaceFit>& fits, const LaidScan& scan);
   void judgeLost(NodeIndex at, bool tracked, bool elsewhere);
   void beginApart();
   void tidy();
@@ -134,6 +148,7 @@ class Mapper {
   std::size_t scans_since_full_ = 0;
   bool ties_since_full_ = false;
   LostEstimate lost_;
+  PlaceBelief belief_;
 };
 
 }  // namespace place_memory::core

@@ -42,7 +42,7 @@ std::vector<PlaceFit> PlaceMatcher::recognize(const EvidenceGrid& scan,
   const Recognition found = recognizer_.recognize(scanOf(scan), index_, heading_window);
   for (const PlaceMatch& match : found.matches) {
     if (fits.size() == kMostFits) break;
-    fits.push_back({match.id, match.probability, match.place_from_scan,
+    fits.push_back({match.id, match.probability, match.score, match.place_from_scan,
                     Eigen::Matrix3d::Identity()});
   }
   return fits;
@@ -53,7 +53,7 @@ PlaceFit PlaceMatcher::align(const EvidenceGrid& scan, PlaceId id, double headin
   alone.put(id, Pose2d{}, index_.cells(id));
   const Recognition found = recognizer_.recognize(scanOf(scan), alone, heading_window);
   const PlaceMatch& match = found.matches.front();
-  return {id, match.probability, match.place_from_scan, asMatrix(found.covariance)};
+  return {id, match.probability, match.score, match.place_from_scan, asMatrix(found.covariance)};
 }
 
 }  // namespace place_memory::core
