@@ -48,6 +48,7 @@ class FinalWay {
   }
 
   core::Pose2d at(double t, const core::Pose2d& odom) const {
+    if (nodes_.empty()) return odom;
     std::size_t after = 0;
     while (after < nodes_.size() && seconds(nodes_[after]->stamp) < t) ++after;
     const auto by = [&](std::size_t i) {

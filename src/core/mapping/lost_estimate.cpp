@@ -12,7 +12,7 @@ constexpr double kLeast = 1e-3;
 /// ever four times in a row; neighbouring scans share readings, so the ratios are softened.
 constexpr double kAgrees = 0.1;
 constexpr double kMisses = 4.0;
-constexpr double kElsewhere = 6.0;
+constexpr double kElsewhere = 10.0;
 
 }  // namespace
 

@@ -8,7 +8,7 @@ enum class ScanWitness {
   kAgrees,    ///< it was tracked at a place
   kSilent,    ///< no place is near where it thinks it is
   kMisses,    ///< a place is near, but the scan is not of it
-  kElsewhere  ///< likewise, and another place is recognized
+  kElsewhere  ///< a place is recognized where odometry cannot have brought it
 };
 
 /// P(lost): a two-state filter. A robot may be lifted at any time; scans at known places tell.

@@ -23,7 +23,8 @@ constexpr double kLostAfterClosure = 0.05;
 constexpr int kMapSession = 1;
 constexpr double kRegion = 1.0;            ///< of a place, for the belief [m]
 constexpr std::size_t kMostTold = 32;      ///< places of a belief
-constexpr double kLongUntied = 15.0;       ///< way after which the heading is anyone's guess [m]
+constexpr double kCompassAgrees = 30.0 * kDegree;
+constexpr double kLongUntied = 5.0;       ///< way after which the heading is anyone's guess [m]
 
 }  // namespace
 
@@ -62,6 +63,8 @@ void Mapper::beginSession() {
   builder_.restart();
   reckoning_.restart();
   headings_.clear();
+  last_middle_.reset();
+  first_of_session_ = true;
   if (!graph_.nodes().empty()) beginApart();
 }
 
@@ -116,9 +119,13 @@ NodeIndex Mapper::append(const MovingScan& scan) {
   return graph_.append(node);
 }
 
-double Mapper::headingWindow() const {
-  if (graph_.nodes().back().compass) return kCompassWindow;
-  return reckoning_.way() - anchored_way_ > kLongUntied ? kPi : kCompassWindow;
+double Mapper::headingWindow(bool apart) const {
+  const ScanNode& node = graph_.nodes().back();
+  if (node.compass) {
+    const bool agrees = std::abs(wrapAngle(*node.compass - node.pose.yaw)) < kCompassAgrees;
+    return agrees ? kCompassWindow : kPi;
+  }
+  return apart || reckoning_.way() - anchored_way_ > kLongUntied ? kPi : kCompassWindow;
 }
 
 void Mapper::process(const MovingScan& scan) {
@@ -130,13 +137,13 @@ void Mapper::process(const MovingScan& scan) {
   decision.stamp = scan.middle.stamp;
   const LaidScan laid = tying_.lay(at, graph_.node(at).pose);
 
-  bool tracked = false, recognized_elsewhere = false;
+  bool tracked = false;
+  std::vector<Sighting> others;
   if (const PlaceMatcher* own = shelf_.matcher(session_)) {
-    const std::vector<PlaceFit> fits = own->recognize(laid.grid, headingWindow());
+    const std::vector<PlaceFit> fits = own->recognize(laid.grid, headingWindow(false));
     if (session_ == kMapSession) believe(at, fits, laid);
     tracked = tying_.track(at, laid, fits, closer_.onTrial());
-    const std::vector<Sighting> others = elsewhere(tying_.sightings(fits, laid), laid);
-    recognized_elsewhere = !others.empty() && others.front().probability >= kSurelyElsewhere;
+    others = elsewhere(tying_.sightings(fits, laid), laid);
     loops_.update(at, way, stretch, laid.map_from_base, others, placeNear(session_));
   }
   if (tracked) {
@@ -149,8 +156,7 @@ void Mapper::process(const MovingScan& scan) {
   if (closer_.observe(tracked, placeNear(session_)(graph_.node(at).pose), way)) takeBack();
   if (session_ != kMapSession) {
     if (const PlaceMatcher* map = shelf_.matcher(kMapSession)) {
-      const double window = graph_.node(at).compass ? kCompassWindow : kPi;
-      const std::vector<PlaceFit> fits = map->recognize(laid.grid, window);
+      const std::vector<PlaceFit> fits = map->recognize(laid.grid, headingWindow(true));
       believe(at, fits, laid);
       joins_.update(at, way, stretch, graph_.node(at).pose, tying_.sightings(fits, laid),
                     placeNear(kMapSession));
@@ -170,7 +176,7 @@ void Mapper::process(const MovingScan& scan) {
     makePlaces();
     if (graph_.node(at).place != kNoPlace) decision.kind = ScanDecision::Kind::kNewPlace;
   }
-  judgeLost(at, tracked, recognized_elsewhere);
+  judgeLost(at, tracked, others);
   decision.lost = lost();
   name(at, decision);
   if (decision.place != kNoPlace) {
@@ -224,18 +230,42 @@ BeliefSummary Mapper::belief() const {
   return summary;
 }
 
-void Mapper::judgeLost(NodeIndex at, bool tracked, bool elsewhere) {
+void Mapper::judgeLost(NodeIndex at, bool tracked, const std::vector<Sighting>& others) {
   const ScanNode& node = graph_.node(at);
   if (!node.before || session_ != kMapSession) return;
+  const double untied = reckoning_.way() - anchored_way_;
+  const double reach = 1.0 + 4.0 * positionSigma(untied, node.compass.has_value());
+  const auto tooFar = [&](const Pose2d& pose) {
+    return std::hypot(pose.x - node.pose.x, pose.y - node.pose.y) > reach;
+  };
+  const ClosureCandidate* loop = loops_.foremost();
   ScanWitness witness = ScanWitness::kSilent;
   if (tracked) {
     witness = ScanWitness::kAgrees;
-  } else if (reckoning_.way() - anchored_way_ < kSurelyAnchored &&
-             placeNear(session_)(node.pose)) {
-    witness = elsewhere ? ScanWitness::kElsewhere : ScanWitness::kMisses;
+  } else if (untied >= kSurelyAnchored || graph_.ties().empty()) {
+    witness = ScanWitness::kSilent;  // that the robot is elsewhere would be a loop to close
+  } else if ((!others.empty() && others.front().probability >= kSurelyElsewhere &&
+              tooFar(others.front().pose)) ||
+             (loop && loop->witnesses.size() >= 2 && loop->witnesses.back().node == at &&
+              tooFar(loop->target_from_estimate * node.pose))) {
+    witness = ScanWitness::kElsewhere;
+  } else if (placeNear(session_)(node.pose)) {
+    witness = ScanWitness::kMisses;
   }
   lost_.update(witness, node.last_way - graph_.node(*node.before).last_way);
-  if (lost_.probability() > kSurelyLost) beginApart();
+  if (lost_.probability() > kSurelyLost) partWays();
+}
+
+void Mapper::partWays() {
+  // What was driven since the last tie lies nobody knows where.
+  NodeIndex first = graph_.nodes().size() - 1;
+  while (first > 0 && graph_.node(first).before && !graph_.tied(*graph_.node(first).before)) {
+    --first;
+  }
+  graph_.cutBefore(first);
+  beginApart();
+  graph_.split(first, session_, Pose2d{});
+  shelf_.resort(graph_);
 }
 
 void Mapper::tidy() {
@@ -288,9 +318,6 @@ bool Mapper::closeLoops(double way) {
 }
 
 void Mapper::beginApart() {
-  // The readings so far stay: the robot was lost before it showed.
-  last_middle_.reset();
-  first_of_session_ = true;
   undecided_.clear();
   loops_.clear();
   joins_ = ClosureCandidates(options_.mode == MapperMode::kMap ? options_.closure

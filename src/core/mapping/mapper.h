@@ -112,14 +112,15 @@ class Mapper {
  private:
   void process(const MovingScan& scan);
   NodeIndex append(const MovingScan& scan);
-  double headingWindow() const;
+  double headingWindow(bool apart) const;
   std::function<bool(const Pose2d&)> placeNear(int session) const;
   std::vector<Sighting> elsewhere(std::vector<Sighting> sightings, const LaidScan& scan) const;
   bool closeLoops(double way);
   void takeBack();
   PlaceBelief::Map beliefMap() const;
   void believe(NodeIndex at, const std::vector<PlaceFit>& fits, const LaidScan& scan);
-  void judgeLost(NodeIndex at, bool tracked, bool elsewhere);
+  void judgeLost(NodeIndex at, bool tracked, const std::vector<Sighting>& others);
+  void partWays();
   void beginApart();
   void tidy();
   void makePlaces();

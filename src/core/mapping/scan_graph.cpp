@@ -177,6 +177,13 @@ void ScanGraph::relaxAll(int session, int iterations) {
   errors_ = problem.errors;
 }
 
+void ScanGraph::cutBefore(NodeIndex node) {
+  if (!nodes_[node].before) return;
+  std::vector<NodeIndex>& next = next_of_[*nodes_[node].before];
+  next.erase(std::remove(next.begin(), next.end(), node), next.end());
+  nodes_[node].before.reset();
+}
+
 void ScanGraph::split(NodeIndex first, int session, const Pose2d& session_from_poses) {
   for (NodeIndex at = first; at < nodes_.size(); ++at) {
     nodes_[at].session = session;

@@ -79,6 +79,8 @@ class ScanGraph {
   double chiSquare(const Tie& tie) const;
   /// Moves a whole session into another's frame.
   void join(int session, int into, const Pose2d& into_from_session);
+  /// Odometry says nothing of how the robot came to this node.
+  void cutBefore(NodeIndex node);
   /// Makes a session again of the nodes from `first` on.
   void split(NodeIndex first, int session, const Pose2d& session_from_poses);
   std::vector<Pose2d> poses() const;
