@@ -24,6 +24,9 @@ constexpr int kMapSession = 1;
 constexpr double kRegion = 1.0;            ///< of a place, for the belief [m]
 constexpr std::size_t kMostTold = 32;      ///< places of a belief
 constexpr double kCompassAgrees = 30.0 * kDegree;
+constexpr double kUseful = 0.3;  ///< probability of a match that is worth something
+/// No tie may be further off than three sigma: of three numbers together [sigma^2].
+constexpr double kFarOff = 14.2;
 constexpr double kLongUntied = 5.0;       ///< way after which the heading is anyone's guess [m]
 
 }  // namespace
@@ -119,13 +122,19 @@ NodeIndex Mapper::append(const MovingScan& scan) {
   return graph_.append(node);
 }
 
-double Mapper::headingWindow(bool apart) const {
+double Mapper::headingWindow() const {
   const ScanNode& node = graph_.nodes().back();
-  if (node.compass) {
-    const bool agrees = std::abs(wrapAngle(*node.compass - node.pose.yaw)) < kCompassAgrees;
-    return agrees ? kCompassWindow : kPi;
-  }
-  return apart || reckoning_.way() - anchored_way_ > kLongUntied ? kPi : kCompassWindow;
+  if (!node.compass) return kCompassWindow;
+  const bool agrees = std::abs(wrapAngle(*node.compass - node.pose.yaw)) < kCompassAgrees;
+  return agrees ? kCompassWindow : kPi;
+}
+
+std::vector<PlaceFit> Mapper::recognizeAnyhow(const PlaceMatcher& places, const LaidScan& scan,
+                                              const std::vector<PlaceFit>& fits) const {
+  const bool sure = !fits.empty() && fits.front().probability >= kUseful;
+  const bool compass = graph_.nodes().back().compass.has_value();
+  if (sure || compass || reckoning_.way() - anchored_way_ < kLongUntied) return fits;
+  return places.recognize(scan.grid, kPi);
 }
 
 void Mapper::process(const MovingScan& scan) {
@@ -140,10 +149,11 @@ void Mapper::process(const MovingScan& scan) {
   bool tracked = false;
   std::vector<Sighting> others;
   if (const PlaceMatcher* own = shelf_.matcher(session_)) {
-    const std::vector<PlaceFit> fits = own->recognize(laid.grid, headingWindow(false));
+    const std::vector<PlaceFit> fits = own->recognize(laid.grid, headingWindow());
     if (session_ == kMapSession) believe(at, fits, laid);
     tracked = tying_.track(at, laid, fits, closer_.onTrial());
-    others = elsewhere(tying_.sightings(fits, laid), laid);
+    others = elsewhere(
+        tying_.sightings(tracked ? fits : recognizeAnyhow(*own, laid, fits), laid), laid);
     loops_.update(at, way, stretch, laid.map_from_base, others, placeNear(session_));
   }
   if (tracked) {
@@ -156,7 +166,7 @@ void Mapper::process(const MovingScan& scan) {
   if (closer_.observe(tracked, placeNear(session_)(graph_.node(at).pose), way)) takeBack();
   if (session_ != kMapSession) {
     if (const PlaceMatcher* map = shelf_.matcher(kMapSession)) {
-      const std::vector<PlaceFit> fits = map->recognize(laid.grid, headingWindow(true));
+      const std::vector<PlaceFit> fits = map->recognize(laid.grid, graph_.node(at).compass ? headingWindow() : kPi);
       believe(at, fits, laid);
       joins_.update(at, way, stretch, graph_.node(at).pose, tying_.sightings(fits, laid),
                     placeNear(kMapSession));
@@ -345,6 +355,7 @@ void Mapper::afterRelaxing() {
   scans_since_full_ = 0;
   ties_since_full_ = false;
   // Of places that have come to lie on each other the newer one goes; its scan stays in the graph.
+  graph_.untie([this](const Tie& tie) { return graph_.chiSquare(tie) > kFarOff; });
   shelf_.follow(graph_);
   std::vector<PlaceId> doubled;
   for (const auto& [id, at] : shelf_.places()) {

@@ -112,7 +112,9 @@ class Mapper {
  private:
   void process(const MovingScan& scan);
   NodeIndex append(const MovingScan& scan);
-  double headingWindow(bool apart) const;
+  double headingWindow() const;
+  std::vector<PlaceFit> recognizeAnyhow(const PlaceMatcher& places, const LaidScan& scan,
+                                        const std::vector<PlaceFit>& fits) const;
   std::function<bool(const Pose2d&)> placeNear(int session) const;
   std::vector<Sighting> elsewhere(std::vector<Sighting> sightings, const LaidScan& scan) const;
   bool closeLoops(double way);
