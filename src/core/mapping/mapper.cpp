@@ -27,6 +27,8 @@ constexpr double kCompassAgrees = 30.0 * kDegree;
 constexpr double kUseful = 0.3;  ///< probability of a match that is worth something
 /// No tie may be further off than three sigma: of three numbers together [sigma^2].
 constexpr double kFarOff = 14.2;
+constexpr int kCarried = 2;           ///< closures refused since the last tie
+constexpr double kFarthestWay = 60.0;  ///< ways through the graph that are followed [m]
 constexpr double kLongUntied = 5.0;       ///< way after which the heading is anyone's guess [m]
 
 }  // namespace
@@ -45,7 +47,7 @@ Mapper::Mapper(const MapperOptions& options)
       tying_(graph_, shelf_, options.sonar, options.cell_size),
       closer_(graph_, shelf_, tying_),
       loops_(options.closure),
-      joins_(options.closure),
+      joins_(options.join),
       belief_(PlaceBeliefOptions{}) {}
 
 void Mapper::addHeading(std::chrono::nanoseconds stamp, double yaw) { headings_.add(stamp, yaw); }
@@ -158,6 +160,7 @@ void Mapper::process(const MovingScan& scan) {
   }
   if (tracked) {
     anchored_way_ = way;
+    refused_ = 0;
     ties_since_full_ = true;
     decision.kind = ScanDecision::Kind::kTracked;
   }
@@ -240,14 +243,20 @@ BeliefSummary Mapper::belief() const {
   return summary;
 }
 
+bool Mapper::outOfReach(NodeIndex at, PlaceId place, const Pose2d& pose) const {
+  if (!shelf_.has(place)) return false;
+  const ScanNode& node = graph_.node(at);
+  const auto ways = graph_.ways(at, kFarthestWay);
+  const auto way = ways.find(shelf_.nodeOf(place));
+  if (way == ways.end()) return false;  // a loop that is not closed may lie anywhere
+  return std::hypot(pose.x - node.pose.x, pose.y - node.pose.y) >
+         1.0 + 4.0 * positionSigma(way->second, node.compass.has_value());
+}
+
 void Mapper::judgeLost(NodeIndex at, bool tracked, const std::vector<Sighting>& others) {
   const ScanNode& node = graph_.node(at);
   if (!node.before || session_ != kMapSession) return;
   const double untied = reckoning_.way() - anchored_way_;
-  const double reach = 1.0 + 4.0 * positionSigma(untied, node.compass.has_value());
-  const auto tooFar = [&](const Pose2d& pose) {
-    return std::hypot(pose.x - node.pose.x, pose.y - node.pose.y) > reach;
-  };
   const ClosureCandidate* loop = loops_.foremost();
   ScanWitness witness = ScanWitness::kSilent;
   if (tracked) {
@@ -255,9 +264,10 @@ void Mapper::judgeLost(NodeIndex at, bool tracked, const std::vector<Sighting>& 
   } else if (untied >= kSurelyAnchored || graph_.ties().empty()) {
     witness = ScanWitness::kSilent;  // that the robot is elsewhere would be a loop to close
   } else if ((!others.empty() && others.front().probability >= kSurelyElsewhere &&
-              tooFar(others.front().pose)) ||
+              outOfReach(at, others.front().place, others.front().pose)) ||
              (loop && loop->witnesses.size() >= 2 && loop->witnesses.back().node == at &&
-              tooFar(loop->target_from_estimate * node.pose))) {
+              outOfReach(at, loop->witnesses.back().place,
+                         loop->target_from_estimate * node.pose))) {
     witness = ScanWitness::kElsewhere;
   } else if (placeNear(session_)(node.pose)) {
     witness = ScanWitness::kMisses;
@@ -307,6 +317,11 @@ bool Mapper::closeLoops(double way) {
   if (const ClosureCandidate* loop = loops_.accepted()) {
     closed = closer_.close(*loop, session_, session_, moves_map, way);
     if (!closed) loops_.dropForemost();
+    // Witnesses enough, and still odometry cannot have brought the robot there: it was carried.
+    if (!closed && ++refused_ >= kCarried && session_ == kMapSession && !graph_.ties().empty()) {
+      partWays();
+      return false;
+    }
   }
   if (!closed && session_ != kMapSession) {
     if (const ClosureCandidate* join = joins_.accepted()) {
@@ -330,7 +345,7 @@ bool Mapper::closeLoops(double way) {
 void Mapper::beginApart() {
   undecided_.clear();
   loops_.clear();
-  joins_ = ClosureCandidates(options_.mode == MapperMode::kMap ? options_.closure
+  joins_ = ClosureCandidates(options_.mode == MapperMode::kMap ? options_.join
                                                                : options_.relocate);
   closer_.endTrial();
   session_ = ++last_session_;

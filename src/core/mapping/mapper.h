@@ -33,7 +33,8 @@ struct MapperOptions {
   MovingScanOptions scan;
   double spacing = 1.3;  ///< least distance of a new place from all others [m]
   double doubled = 0.6;  ///< of two places nearer than this after a correction the newer goes [m]
-  ClosureOptions closure;   ///< of loops, and of a session that is joined to the map
+  ClosureOptions closure;   ///< of loops
+  ClosureOptions join{8, 5.0, 1.5, 10.0, 3.0, 4.0};  ///< of a session with the map
   ClosureOptions relocate{2, 0.2, 0.0, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
   double cell_size = kDefaultCellSize;  ///< [m]
   SonarModelOptions sonar;
@@ -121,6 +122,7 @@ class Mapper {
   void takeBack();
   PlaceBelief::Map beliefMap() const;
   void believe(NodeIndex at, const std::vector<PlaceFit>& fits, const LaidScan& scan);
+  bool outOfReach(NodeIndex at, PlaceId place, const Pose2d& pose) const;
   void judgeLost(NodeIndex at, bool tracked, const std::vector<Sighting>& others);
   void partWays();
   void beginApart();
@@ -148,6 +150,7 @@ class Mapper {
   Pose2d newest_odom_;
   double anchored_way_ = 0.0;  ///< at the last tie
   std::chrono::nanoseconds map_stamp_{0};  ///< of the newest scan of the map that is localized in
+  int refused_ = 0;  ///< closures since the last tie
   std::size_t scans_since_full_ = 0;
   bool ties_since_full_ = false;
   LostEstimate lost_;
