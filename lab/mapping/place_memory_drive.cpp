@@ -28,9 +28,7 @@ std::chrono::nanoseconds stampOf(double t) {
   return std::chrono::nanoseconds(std::llround(t * 1e9));
 }
 
-double seconds(std::chrono::nanoseconds stamp) {
-  return static_cast<double>(stamp.count()) * 1e-9;
-}
+double seconds(std::chrono::nanoseconds stamp) { return static_cast<double>(stamp.count()) * 1e-9; }
 
 std::string rowOf(double t, const core::Pose2d& pose) {
   char text[96];
@@ -69,13 +67,14 @@ class FinalWay {
 
 void writeAnswers(std::ofstream& table, const std::vector<core::ScanDecision>& decisions) {
   for (const core::ScanDecision& decision : decisions) {
-    table << rowOf(seconds(decision.stamp), {}).substr(0, rowOf(seconds(decision.stamp), {}).find(','))
+    table << rowOf(seconds(decision.stamp), {})
+                 .substr(0, rowOf(seconds(decision.stamp), {}).find(','))
           << ',' << core::nameOf(decision.kind) << ',';
     if (decision.place != core::kNoPlace) {
       const core::Pose2d& pose = decision.place_from_base;
       char text[96];
-      std::snprintf(text, sizeof text, "%lld,%.4f,%.4f,%.5f", static_cast<long long>(decision.place),
-                    pose.x, pose.y, pose.yaw);
+      std::snprintf(text, sizeof text, "%lld,%.4f,%.4f,%.5f",
+                    static_cast<long long>(decision.place), pose.x, pose.y, pose.yaw);
       table << text;
     } else {
       table << ",,,";
@@ -95,8 +94,8 @@ void localizeFromAnywhere(core::Mapper& mapper, const trials::Drive& drive,
   for (int k = 0; k < starts; ++k) {
     mapper.beginSession();
     start += 10000.0;
-    const std::size_t first = drive.size() * static_cast<std::size_t>(k) * 9 / 10 /
-                              static_cast<std::size_t>(starts);
+    const std::size_t first =
+        drive.size() * static_cast<std::size_t>(k) * 9 / 10 / static_cast<std::size_t>(starts);
     double way = 0.0;
     bool named = false;
     for (std::size_t i = first; i < drive.size() && way < 10.0 && !named; ++i) {
@@ -133,8 +132,9 @@ void localizeFromAnywhere(core::Mapper& mapper, const trials::Drive& drive,
   }
   std::sort(ways.begin(), ways.end());
   if (ways.empty()) return;
-  std::printf("%d starts: right after %.2f m median, %.2f m at 90 %%, %d wrong, %d not within 10 m\n",
-              starts, ways[ways.size() / 2], ways[ways.size() * 9 / 10], wrong, never);
+  std::printf(
+      "%d starts: right after %.2f m median, %.2f m at 90 %%, %d wrong, %d not within 10 m\n",
+      starts, ways[ways.size() / 2], ways[ways.size() * 9 / 10], wrong, never);
 }
 
 int run(const po::variables_map& given) {
@@ -187,11 +187,12 @@ int run(const po::variables_map& given) {
       }
     }
     const double cpu = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    std::printf("%s: %.1f m, %.2f ms a metre, %zu nodes, %zu ties, %zu places, bend %.2f deg/m, turn factor %.3f\n",
-                drives[number].c_str(), way, 1000.0 * cpu / way, mapper.graph().nodes().size(),
-                mapper.graph().ties().size(), mapper.places().size(),
-                mapper.graph().errors().bend * 180.0 / core::kPi,
-                mapper.graph().errors().turn_factor);
+    std::printf(
+        "%s: %.1f m, %.2f ms a metre, %zu nodes, %zu ties, %zu places, bend %.2f deg/m, turn "
+        "factor %.3f\n",
+        drives[number].c_str(), way, 1000.0 * cpu / way, mapper.graph().nodes().size(),
+        mapper.graph().ties().size(), mapper.places().size(),
+        mapper.graph().errors().bend * 180.0 / core::kPi, mapper.graph().errors().turn_factor);
     const FinalWay at_end(mapper.graph());
     for (const trials::DriveMoment& moment : drive) {
       final_way << rowOf(start + moment.t, at_end.at(start + moment.t, moment.odom)) << '\n';
@@ -223,7 +224,8 @@ int main(int argc, char** argv) {
         "drives, one session each")("out", po::value<std::string>()->required(),
                                     "prefix of the tables _T, _S, _M, _R, _truth.csv")(
         "no-compass", "without the compass")("starts", po::value<int>(),
-                                               "on the second drive so often from nothing")("localize", "drives from the second on change nothing");
+                                             "on the second drive so often from nothing")(
+        "localize", "drives from the second on change nothing");
     po::variables_map given;
     po::store(po::parse_command_line(argc, argv, options), given);
     if (given.count("help")) {

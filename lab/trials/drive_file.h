@@ -12,10 +12,10 @@ namespace place_memory::trials {
 
 /// What the robot sensed at one time of a drive.
 struct DriveMoment {
-  double t = 0.0;                      ///< [s]
-  core::Pose2d odom;                   ///< of the base
-  std::optional<core::Pose2d> truth;   ///< likewise, in another frame
-  std::optional<double> heading;       ///< of the compass [rad]
+  double t = 0.0;                            ///< [s]
+  core::Pose2d odom;                         ///< of the base
+  std::optional<core::Pose2d> truth;         ///< likewise, in another frame
+  std::optional<double> heading;             ///< of the compass [rad]
   std::vector<core::SonarReading> readings;  ///< in the base's frame
 };
 

@@ -73,8 +73,8 @@ class Wheels {
         bend_(recipe.bend_sigma * sim::normal(rng)) {}
 
   void move(double forward, double turn, sim::Rng& rng) {
-    const double believed = turn * turn_ + bend_ * forward +
-                            noise_ * std::sqrt(std::abs(forward)) * sim::normal(rng);
+    const double believed =
+        turn * turn_ + bend_ * forward + noise_ * std::sqrt(std::abs(forward)) * sim::normal(rng);
     const core::Pose2d half{0.0, 0.0, 0.5 * believed};
     pose_ = pose_ * half * core::Pose2d{forward * scale_, 0.0, 0.0} * half;
   }
@@ -126,8 +126,7 @@ Drive simulateDrive(const sim::World& world, const sim::SimulatedRobot& robot,
       wanderer.arrive();
       continue;
     }
-    const double off =
-        core::wrapAngle(std::atan2(goal.y - base.y, goal.x - base.x) - base.yaw);
+    const double off = core::wrapAngle(std::atan2(goal.y - base.y, goal.x - base.x) - base.yaw);
     const double turn = std::clamp(off, -kTurnRate * recipe.tick, kTurnRate * recipe.tick);
     double forward = std::abs(off) < 0.5 ? recipe.speed * recipe.tick : 0.0;
     const core::Pose2d moved =

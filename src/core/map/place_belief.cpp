@@ -76,8 +76,7 @@ void PlaceBelief::predict(const Pose2d& motion, double share, const Map& map) {
       target.place_from_base = map.map_from_place(to).inverse() * pose;
     }
   }
-  const double anywhere =
-      lifted * (1.0 - off_map_ - fallen) + (1.0 - stays) * (off_map_ + fallen);
+  const double anywhere = lifted * (1.0 - off_map_ - fallen) + (1.0 - stays) * (off_map_ + fallen);
   for (auto& [id, state] : moved) state.mass *= 1.0 - lifted;
   elsewhere_ = (1.0 - lifted) * elsewhere_ + anywhere;
   off_map_ = stays * (off_map_ + fallen);
@@ -116,8 +115,9 @@ void PlaceBelief::measure(const std::vector<BeliefMatch>& matches, double known,
     }
     State& state = found->second;
     const Pose2d& there = state.place_from_base;
-    const double off = std::hypot(match.place_from_base.x - there.x,
-                                  match.place_from_base.y - there.y) / options_.pose_sigma;
+    const double off =
+        std::hypot(match.place_from_base.x - there.x, match.place_from_base.y - there.y) /
+        options_.pose_sigma;
     const double agrees = std::exp(-0.5 * off * off);
     likelihood *= std::max(agrees, options_.pose_floor);
     state.mass *= std::pow(std::max(likelihood, options_.floor), share);
@@ -163,9 +163,9 @@ PlaceBelief::Cluster PlaceBelief::largest(const Map& map) const {
   for (const Seen& centre : seen) {
     double mass = 0.0;
     for (const Seen& other : seen) {
-      const bool same = std::hypot(other.pose.x - centre.pose.x, other.pose.y - centre.pose.y) <=
-                            kSameSpot &&
-                        std::abs(wrapAngle(other.pose.yaw - centre.pose.yaw)) <= kSameHeading;
+      const bool same =
+          std::hypot(other.pose.x - centre.pose.x, other.pose.y - centre.pose.y) <= kSameSpot &&
+          std::abs(wrapAngle(other.pose.yaw - centre.pose.yaw)) <= kSameHeading;
       mass += same ? other.mass : 0.0;
     }
     if (mass > largest.mass) largest = {centre.id, mass};

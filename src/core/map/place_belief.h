@@ -12,14 +12,14 @@
 namespace place_memory::core {
 
 struct PlaceBeliefOptions {
-  double lifted = 0.03;         ///< share that is carried anywhere in an update of a whole scan
-  double off_map_stays = 0.8;   ///< of off-map in such an update; the rest may be at any place
-  double region = 1.0;          ///< so near to a place a pose is at it [m]
-  double softening = 3.0;       ///< score by which a likelihood falls to 1 / e
-  double floor = 0.01;          ///< likelihood of a place that is not among the matches; best: 1
+  double lifted = 0.03;            ///< share that is carried anywhere in an update of a whole scan
+  double off_map_stays = 0.8;      ///< of off-map in such an update; the rest may be at any place
+  double region = 1.0;             ///< so near to a place a pose is at it [m]
+  double softening = 3.0;          ///< score by which a likelihood falls to 1 / e
+  double floor = 0.01;             ///< likelihood of a place that is not among the matches; best: 1
   double off_map_softening = 0.5;  ///< exponent of the odds that the scan is of no place
-  double pose_sigma = 0.5;      ///< of a match about where a place was believed to see it [m]
-  double pose_floor = 0.1;      ///< what a match elsewhere in the place still counts
+  double pose_sigma = 0.5;         ///< of a match about where a place was believed to see it [m]
+  double pose_floor = 0.1;         ///< what a match elsewhere in the place still counts
 };
 
 /// Where a scan matched one place.
@@ -63,8 +63,7 @@ class PlaceBelief {
   void predict(const Pose2d& motion, double share, const Map& map);
   /// A scan was matched. `known`: the calibrated probability that it is of any place, in [0, 1];
   /// `share`: what part of the scan is new, in (0, 1].
-  void measure(const std::vector<BeliefMatch>& matches, double known, double share,
-               const Map& map);
+  void measure(const std::vector<BeliefMatch>& matches, double known, double share, const Map& map);
 
   double offMap() const { return off_map_; }
   double probability(PlaceId id, const Map& map) const;

@@ -29,9 +29,9 @@ double costOf(double chi_square, double doubt) {
 }
 
 Pose2d measured(const RelaxationProblem& problem, const RelativePose& relative) {
-  return relative.way < 0.0 ? relative.relative
-                            : problem.errors.corrected(relative.relative, relative.way,
-                                                       relative.turn);
+  return relative.way < 0.0
+             ? relative.relative
+             : problem.errors.corrected(relative.relative, relative.way, relative.turn);
 }
 
 double totalCost(const RelaxationProblem& problem) {

@@ -57,14 +57,14 @@ struct RelaxationProblem {
 double chiSquare(const RelaxationProblem& problem, const RelativePose& relative);
 
 struct RelaxationOptions {
-  int iterations = 10;         ///< at most
-  double small_step = 0.001;   ///< ends once no pose moves further [m, rad]
+  int iterations = 10;        ///< at most
+  double small_step = 0.001;  ///< ends once no pose moves further [m, rad]
 };
 
 struct RelaxationResult {
   int iterations = 0;
-  double cost = 0.0;      ///< half the sum of what is left, with doubt
-  bool solved = true;     ///< false: not solvable, poses are as they were
+  double cost = 0.0;   ///< half the sum of what is left, with doubt
+  bool solved = true;  ///< false: not solvable, poses are as they were
 };
 
 /// Moves the poses to where they contradict what is known least: Levenberg and Marquardt's steps

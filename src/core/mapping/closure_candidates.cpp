@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 constexpr std::size_t kMost = 12;
-constexpr double kBegins = 0.3;       ///< probability of a sighting that begins a candidate
-constexpr double kSpeaks = 0.05;      ///< from which one speaks for a candidate that is there
-constexpr double kMostSaid = 3.0;     ///< by one scan
-constexpr double kSoftening = 0.5;    ///< scans err together: published odds are too sure
-constexpr double kMissed = 1.0;       ///< what a scan says that should agree and does not
-constexpr double kNear = 0.5;         // [m]
-constexpr double kNearGrows = 0.06;   // by way since the last witness
+constexpr double kBegins = 0.3;      ///< probability of a sighting that begins a candidate
+constexpr double kSpeaks = 0.05;     ///< from which one speaks for a candidate that is there
+constexpr double kMostSaid = 3.0;    ///< by one scan
+constexpr double kSoftening = 0.5;   ///< scans err together: published odds are too sure
+constexpr double kMissed = 1.0;      ///< what a scan says that should agree and does not
+constexpr double kNear = 0.5;        // [m]
+constexpr double kNearGrows = 0.06;  // by way since the last witness
 constexpr double kTurn = 9.0 * kDegree;
 constexpr double kTurnGrows = 1.5 * kDegree;  // [rad/m]
 
@@ -36,8 +36,8 @@ bool agrees(const Pose2d& a, const Pose2d& b, double way) {
 
 }  // namespace
 
-void ClosureCandidates::update(std::size_t node, double way, double stretch,
-                               const Pose2d& estimate, const std::vector<Sighting>& sightings,
+void ClosureCandidates::update(std::size_t node, double way, double stretch, const Pose2d& estimate,
+                               const std::vector<Sighting>& sightings,
                                const std::function<bool(const Pose2d&)>& at_place) {
   stretch_ = stretch;
   std::vector<char> used(sightings.size(), 0);
@@ -74,10 +74,9 @@ void ClosureCandidates::update(std::size_t node, double way, double stretch,
     candidate.witnesses.push_back({node, sightings[i].place, way, sightings[i].pose});
     candidates_.push_back(candidate);
   }
-  std::stable_sort(candidates_.begin(), candidates_.end(),
-                   [](const ClosureCandidate& a, const ClosureCandidate& b) {
-                     return a.score > b.score;
-                   });
+  std::stable_sort(
+      candidates_.begin(), candidates_.end(),
+      [](const ClosureCandidate& a, const ClosureCandidate& b) { return a.score > b.score; });
   // Of two that have come to mean the same, the better one stays.
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const Pose2d here = candidates_[i].target_from_estimate * estimate;

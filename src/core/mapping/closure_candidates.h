@@ -50,9 +50,9 @@ class ClosureCandidates {
  public:
   explicit ClosureCandidates(const ClosureOptions& options) : options_(options) {}
 
-  /// One scan of a stretch of the way [m]: where it is thought to be, and where the target's places put it, best first.
-  /// `at_place` tells whether a pose in the target's frame is at a place of the target, where a
-  /// scan should agree.
+  /// One scan of a stretch of the way [m]: where it is thought to be, and where the target's places
+  /// put it, best first. `at_place` tells whether a pose in the target's frame is at a place of the
+  /// target, where a scan should agree.
   void update(std::size_t node, double way, double stretch, const Pose2d& estimate,
               const std::vector<Sighting>& sightings,
               const std::function<bool(const Pose2d&)>& at_place);
@@ -68,7 +68,7 @@ class ClosureCandidates {
 
  private:
   ClosureOptions options_;
-  double stretch_ = 0.0;  ///< length of the newest scan's [m]
+  double stretch_ = 0.0;                      ///< length of the newest scan's [m]
   std::vector<ClosureCandidate> candidates_;  ///< by falling score
 };
 

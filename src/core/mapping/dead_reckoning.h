@@ -42,8 +42,8 @@ class DeadReckoning {
   }
 
  private:
-  static constexpr double kStep = 0.02;             // [m]
-  static constexpr double kTurn = kPi / 180.0;      // [rad]
+  static constexpr double kStep = 0.02;         // [m]
+  static constexpr double kTurn = kPi / 180.0;  // [rad]
 
   std::optional<Pose2d> odom_;  ///< as of pose_
   Pose2d pose_;

@@ -45,8 +45,7 @@ bool LoopCloser::holds(int number, double old_chi) {
     ++fresh;
     outvoted += graph_.chiSquare(tie) > kOutvoted ? 1 : 0;
   }
-  return fresh > 0 && 3 * outvoted <= fresh &&
-         suffered(graph_, number) <= old_chi + kMostSuffered;
+  return fresh > 0 && 3 * outvoted <= fresh && suffered(graph_, number) <= old_chi + kMostSuffered;
 }
 
 bool LoopCloser::close(const ClosureCandidate& candidate, int session, int target, bool moves_map,

@@ -4,15 +4,14 @@
 #include <array>
 #include <cmath>
 
-
 namespace place_memory::core {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
 constexpr std::chrono::nanoseconds kHeadingAge = std::chrono::seconds(1);
 
-constexpr std::size_t kWindow = 40;        ///< nodes that a local correction moves
-constexpr std::size_t kFullEvery = 20;     ///< nodes between corrections of the whole map
+constexpr std::size_t kWindow = 40;     ///< nodes that a local correction moves
+constexpr std::size_t kFullEvery = 20;  ///< nodes between corrections of the whole map
 constexpr double kCompassWindow = 45.0 * kDegree;
 constexpr double kAtPlace = 0.6;           ///< so near to a place a scan should show it [m]
 constexpr double kSurelyElsewhere = 0.82;  ///< probability of another place
@@ -21,15 +20,15 @@ constexpr double kSurelyLost = 0.98;
 constexpr double kSurelyAnchored = 12.0;
 constexpr double kLostAfterClosure = 0.05;
 constexpr int kMapSession = 1;
-constexpr double kRegion = 1.0;            ///< of a place, for the belief [m]
-constexpr std::size_t kMostTold = 32;      ///< places of a belief
+constexpr double kRegion = 1.0;        ///< of a place, for the belief [m]
+constexpr std::size_t kMostTold = 32;  ///< places of a belief
 constexpr double kCompassAgrees = 30.0 * kDegree;
 constexpr double kUseful = 0.3;  ///< probability of a match that is worth something
 /// No tie may be further off than three sigma: of three numbers together [sigma^2].
 constexpr double kFarOff = 14.2;
-constexpr int kCarried = 2;           ///< closures refused since the last tie
+constexpr int kCarried = 2;            ///< closures refused since the last tie
 constexpr double kFarthestWay = 60.0;  ///< ways through the graph that are followed [m]
-constexpr double kLongUntied = 5.0;       ///< way after which the heading is anyone's guess [m]
+constexpr double kLongUntied = 5.0;    ///< way after which the heading is anyone's guess [m]
 
 }  // namespace
 
@@ -60,7 +59,8 @@ void Mapper::addOdometry(std::chrono::nanoseconds /*stamp*/, const Pose2d& odom_
 void Mapper::addReading(std::chrono::nanoseconds stamp, const Pose2d& odom_from_base,
                         const SonarReading& reading) {
   addOdometry(stamp, odom_from_base);
-  builder_.add({stamp, odom_from_base, reckoning_.pose(), reckoning_.way(), reckoning_.turn()}, reading);
+  builder_.add({stamp, odom_from_base, reckoning_.pose(), reckoning_.way(), reckoning_.turn()},
+               reading);
   while (const std::optional<MovingScan> scan = builder_.take()) process(*scan);
 }
 
@@ -95,8 +95,8 @@ std::vector<MappedPlace> Mapper::places() const {
   std::vector<MappedPlace> places;
   for (const auto& [id, at] : shelf_.places()) {
     const ScanNode& node = graph_.node(at);
-    places.push_back({id, "place_" + std::to_string(id), node.stamp, node.pose,
-                      node.session != kMapSession});
+    places.push_back(
+        {id, "place_" + std::to_string(id), node.stamp, node.pose, node.session != kMapSession});
   }
   return places;
 }
@@ -154,8 +154,8 @@ void Mapper::process(const MovingScan& scan) {
     const std::vector<PlaceFit> fits = own->recognize(laid.grid, headingWindow());
     if (session_ == kMapSession) believe(at, fits, laid);
     tracked = tying_.track(at, laid, fits, closer_.onTrial());
-    others = elsewhere(
-        tying_.sightings(tracked ? fits : recognizeAnyhow(*own, laid, fits), laid), laid);
+    others =
+        elsewhere(tying_.sightings(tracked ? fits : recognizeAnyhow(*own, laid, fits), laid), laid);
     loops_.update(at, way, stretch, laid.map_from_base, others, placeNear(session_));
   }
   if (tracked) {
@@ -169,7 +169,8 @@ void Mapper::process(const MovingScan& scan) {
   if (closer_.observe(tracked, placeNear(session_)(graph_.node(at).pose), way)) takeBack();
   if (session_ != kMapSession) {
     if (const PlaceMatcher* map = shelf_.matcher(kMapSession)) {
-      const std::vector<PlaceFit> fits = map->recognize(laid.grid, graph_.node(at).compass ? headingWindow() : kPi);
+      const std::vector<PlaceFit> fits =
+          map->recognize(laid.grid, graph_.node(at).compass ? headingWindow() : kPi);
       believe(at, fits, laid);
       joins_.update(at, way, stretch, graph_.node(at).pose, tying_.sightings(fits, laid),
                     placeNear(kMapSession));
@@ -225,8 +226,8 @@ void Mapper::believe(NodeIndex at, const std::vector<PlaceFit>& fits, const Laid
   const std::vector<Sighting> seen = tying_.sightings(fits, scan);
   for (std::size_t i = 0; i < fits.size(); ++i) {
     known += fits[i].probability;
-    matches.push_back({fits[i].id, fits[i].score,
-                       map.map_from_place(fits[i].id).inverse() * seen[i].pose});
+    matches.push_back(
+        {fits[i].id, fits[i].score, map.map_from_place(fits[i].id).inverse() * seen[i].pose});
   }
   belief_.measure(matches, known, std::min(1.0, moved), map);
 }
@@ -345,8 +346,7 @@ bool Mapper::closeLoops(double way) {
 void Mapper::beginApart() {
   undecided_.clear();
   loops_.clear();
-  joins_ = ClosureCandidates(options_.mode == MapperMode::kMap ? options_.join
-                                                               : options_.relocate);
+  joins_ = ClosureCandidates(options_.mode == MapperMode::kMap ? options_.join : options_.relocate);
   closer_.endTrial();
   session_ = ++last_session_;
   lost_.set(0.0);

@@ -31,12 +31,12 @@ enum class MapperMode {
 struct MapperOptions {
   MapperMode mode = MapperMode::kMap;
   MovingScanOptions scan;
-  double spacing = 1.3;  ///< least distance of a new place from all others [m]
-  double doubled = 0.6;  ///< of two places nearer than this after a correction the newer goes [m]
-  ClosureOptions closure;   ///< of loops
-  ClosureOptions join{8, 5.0, 1.5, 10.0, 3.0, 4.0};  ///< of a session with the map
+  double spacing = 1.3;    ///< least distance of a new place from all others [m]
+  double doubled = 0.6;    ///< of two places nearer than this after a correction the newer goes [m]
+  ClosureOptions closure;  ///< of loops
+  ClosureOptions join{8, 5.0, 1.5, 10.0, 3.0, 4.0};     ///< of a session with the map
   ClosureOptions relocate{2, 0.2, 0.0, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
-  double cell_size = kDefaultCellSize;  ///< [m]
+  double cell_size = kDefaultCellSize;                  ///< [m]
   SonarModelOptions sonar;
   RecognizerOptions recognizer;
 };
@@ -148,9 +148,9 @@ class Mapper {
   bool first_of_session_ = true;
   std::optional<BaseMoment> last_middle_;  ///< of the newest node
   Pose2d newest_odom_;
-  double anchored_way_ = 0.0;  ///< at the last tie
+  double anchored_way_ = 0.0;              ///< at the last tie
   std::chrono::nanoseconds map_stamp_{0};  ///< of the newest scan of the map that is localized in
-  int refused_ = 0;  ///< closures since the last tie
+  int refused_ = 0;                        ///< closures since the last tie
   std::size_t scans_since_full_ = 0;
   bool ties_since_full_ = false;
   LostEstimate lost_;

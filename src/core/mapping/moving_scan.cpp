@@ -6,12 +6,12 @@
 namespace place_memory::core {
 namespace {
 
-constexpr double kNewSpot = 0.02;                     // [m]
-constexpr double kNewHeading = 2.0 * kPi / 180.0;     // [rad]
-constexpr double kAboutMiddle = 0.12;                 // share of the stretch
-constexpr double kTurnCost = 0.5;                     // [m / (rad/s)]
-constexpr std::size_t kMostAtSpot = 48;               // readings
-constexpr double kLooksAhead = 170.0 * kPi / 180.0;   // widest gap between sonars of a ring [rad]
+constexpr double kNewSpot = 0.02;                    // [m]
+constexpr double kNewHeading = 2.0 * kPi / 180.0;    // [rad]
+constexpr double kAboutMiddle = 0.12;                // share of the stretch
+constexpr double kTurnCost = 0.5;                    // [m / (rad/s)]
+constexpr std::size_t kMostAtSpot = 48;              // readings
+constexpr double kLooksAhead = 170.0 * kPi / 180.0;  // widest gap between sonars of a ring [rad]
 
 }  // namespace
 
@@ -50,8 +50,8 @@ double MovingScanBuilder::wantedLength() const {
   return gap >= kLooksAhead ? options_.length_ahead : options_.length;
 }
 
-/// About the middle of the way, where the robot turns least: while it turns fast, clocks that differ
-/// by a tenth of a second put it elsewhere.
+/// About the middle of the way, where the robot turns least: while it turns fast, clocks that
+/// differ by a tenth of a second put it elsewhere.
 std::size_t MovingScanBuilder::middleOf(std::size_t first) const {
   const double reach = stations_.back().moment.way - stations_[first].moment.way;
   const double middle = stations_.back().moment.way - 0.5 * reach;

@@ -33,7 +33,7 @@ struct BaseMoment {
 /// What the robot sensed along the last stretch of its way.
 struct MovingScan {
   BaseMoment middle;       ///< of the stretch: what everything refers to
-  double first_way = 0.0;             ///< the stretch's ends [m]
+  double first_way = 0.0;  ///< the stretch's ends [m]
   double last_way = 0.0;
   /// In the base's frame at the middle of the stretch.
   std::shared_ptr<const std::vector<SonarReading>> readings;
@@ -67,9 +67,9 @@ class MovingScanBuilder {
 
   MovingScanOptions options_;
   std::deque<Station> stations_;
-  std::size_t kept_ = 0;  ///< readings of all stations
+  std::size_t kept_ = 0;       ///< readings of all stations
   std::size_t looked_at_ = 0;  ///< stations when it was last seen whether a scan is ready
-  double last_scan_ = -1e9;  ///< way at which the last scan was taken
+  double last_scan_ = -1e9;    ///< way at which the last scan was taken
 };
 
 }  // namespace place_memory::core

@@ -14,9 +14,9 @@ namespace place_memory::core {
 /// One place of a map against a scan.
 struct PlaceFit {
   PlaceId id = kNoPlace;
-  double probability = 0.0;  ///< of the scan alone, in [0, 1]
-  double score = 0.0;        ///< higher is better
-  Pose2d place_from_scan;    ///< grid on grid
+  double probability = 0.0;                                  ///< of the scan alone, in [0, 1]
+  double score = 0.0;                                        ///< higher is better
+  Pose2d place_from_scan;                                    ///< grid on grid
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of it, in the place's grid
 };
 

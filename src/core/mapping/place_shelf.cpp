@@ -12,9 +12,7 @@ constexpr double kBucket = 1.5;                  // [m]
 constexpr double kLaidAnew = 2.0 * kPi / 180.0;  // [rad]
 
 /// The grid's frame: at the base, its axes along the map's when it was laid out.
-Pose2d gridPose(const ScanNode& node) {
-  return node.pose * Pose2d{0.0, 0.0, -node.laid_yaw};
-}
+Pose2d gridPose(const ScanNode& node) { return node.pose * Pose2d{0.0, 0.0, -node.laid_yaw}; }
 
 }  // namespace
 

@@ -52,7 +52,7 @@ class PlaceShelf {
   GridGeometry geometry_;
   PlaceId last_id_ = 0;
   std::map<PlaceId, NodeIndex> node_of_;
-  std::map<PlaceId, int> home_of_;     ///< session in whose matcher a ripe place is
+  std::map<PlaceId, int> home_of_;  ///< session in whose matcher a ripe place is
   std::vector<PlaceId> unripe_;
   std::map<int, PlaceMatcher> matchers_;  ///< by session
   std::map<int, PlaceLocator> locators_;  ///< likewise, of all places

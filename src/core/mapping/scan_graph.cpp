@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kDegree = kPi / 180.0;
 // Of odometry, once its lasting errors are taken out, by the root of the way [m].
-constexpr double kPositionNoise = 0.03;        // [m]
-constexpr double kYawNoise = 1.5 * kDegree;    // [rad]
-constexpr double kTurnNoise = 0.03;            // of a turn
+constexpr double kPositionNoise = 0.03;      // [m]
+constexpr double kYawNoise = 1.5 * kDegree;  // [rad]
+constexpr double kTurnNoise = 0.03;          // of a turn
 constexpr double kCompassSigma = 30.0 * kDegree;
 /// Ties of neighbouring scans err together, since those share readings.
 constexpr double kTieDoubt = 2.0;
@@ -67,8 +67,8 @@ void ScanGraph::indexTies() {
 }
 
 double ScanGraph::chiSquare(const Tie& tie) const {
-  const Pose2d off = tie.relative.inverse() *
-                     (nodes_[tie.place].pose.inverse() * nodes_[tie.node].pose);
+  const Pose2d off =
+      tie.relative.inverse() * (nodes_[tie.place].pose.inverse() * nodes_[tie.node].pose);
   const Pose2d turned = Pose2d{0.0, 0.0, tie.relative.yaw} * Pose2d{off.x, off.y, 0.0};
   const Eigen::Vector3d error(turned.x, turned.y, off.yaw);
   return error.dot(tie.information * error);
@@ -137,8 +137,8 @@ RelaxationProblem ScanGraph::problemOf(const std::vector<NodeIndex>& free, int s
                                    tie.information, -1.0, 0.0, kTieDoubt});
     }
     if (nodes_[node].compass && ties_of_[node].empty()) {
-      problem.yaws.push_back({at[node], *nodes_[node].compass,
-                              1.0 / (kCompassSigma * kCompassSigma)});
+      problem.yaws.push_back(
+          {at[node], *nodes_[node].compass, 1.0 / (kCompassSigma * kCompassSigma)});
     }
   }
   return problem;

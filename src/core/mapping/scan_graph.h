@@ -31,7 +31,7 @@ struct ScanNode {
   double motion_turn = 0.0;         ///< not wrapped [rad]
   std::optional<double> compass;    ///< heading that it showed [rad]
   std::shared_ptr<const std::vector<SonarReading>> readings;  ///< in its frame
-  PlaceId place = kNoPlace;         ///< that it is
+  PlaceId place = kNoPlace;                                   ///< that it is
   double laid_yaw = 0.0;  ///< heading in the map for which its grid was laid out [rad]
 };
 
@@ -92,8 +92,8 @@ class ScanGraph {
 
   std::vector<ScanNode> nodes_;
   std::vector<Tie> ties_;
-  std::vector<std::vector<std::size_t>> ties_of_;   ///< by node, of either end
-  std::vector<std::vector<NodeIndex>> next_of_;     ///< by node, those that came from it
+  std::vector<std::vector<std::size_t>> ties_of_;  ///< by node, of either end
+  std::vector<std::vector<NodeIndex>> next_of_;    ///< by node, those that came from it
   OdometryErrors errors_;
 };
 

@@ -117,8 +117,8 @@ bool ScanTying::tie(PlaceId id, NodeIndex node, const LaidScan& scan, double nea
   lever(0, 2) = -(found.y - fit.place_from_scan.y);
   lever(1, 2) = found.x - fit.place_from_scan.x;
   Eigen::Matrix3d covariance = fit.covariance;
-  covariance.diagonal() += Eigen::Vector3d(kTieNoise * kTieNoise, kTieNoise * kTieNoise,
-                                           kTieTurnNoise * kTieTurnNoise);
+  covariance.diagonal() +=
+      Eigen::Vector3d(kTieNoise * kTieNoise, kTieNoise * kTieNoise, kTieTurnNoise * kTieTurnNoise);
   covariance = turned(lever * covariance * lever.transpose(), base_from_grid.yaw);
   graph_.tie({at, node, base_from_grid * found * scan_from_base, covariance.inverse(), closure});
   return true;

@@ -35,8 +35,11 @@ struct Corridor {
 class FullBelief {
  public:
   FullBelief(const PlaceBeliefOptions& options, const PlaceBelief::Map& map)
-      : options_(options), map_(map), mass_(map.places, 0.5 / static_cast<double>(map.places)),
-        own_(map.places, false), pose_(map.places) {}
+      : options_(options),
+        map_(map),
+        mass_(map.places, 0.5 / static_cast<double>(map.places)),
+        own_(map.places, false),
+        pose_(map.places) {}
 
   void predict(const Pose2d& motion, double share) {
     const double lifted = 1.0 - std::pow(1.0 - options_.lifted, share);
@@ -141,8 +144,8 @@ TEST(PlaceBelief, AgreesWithAFilterOverEveryPlace) {
     const auto here = static_cast<std::int64_t>(std::lround(x / 1.5));
     for (const std::int64_t other : {here, here + 8, here + 15}) {
       if (other >= 40) continue;
-      matches.push_back({other + 1, 4.0 * unit(random),
-                         {x - 1.5 * static_cast<double>(here), 0.0, 0.0}});
+      matches.push_back(
+          {other + 1, 4.0 * unit(random), {x - 1.5 * static_cast<double>(here), 0.0, 0.0}});
     }
     const double known = 0.3 + 0.6 * unit(random);
     belief.measure(matches, known, 0.5, corridor.map);

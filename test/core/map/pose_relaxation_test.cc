@@ -38,8 +38,8 @@ struct Laps {
       at = at * motion;
       seen = seen * measured;
       const Eigen::Vector3d information(1e4, 1e4, 1.0 / std::pow(1.0 * kDegree, 2));
-      problem.relatives.push_back({truth.size() - 1, truth.size(), measured,
-                                   information.asDiagonal(), 0.5, turn, 0.0});
+      problem.relatives.push_back(
+          {truth.size() - 1, truth.size(), measured, information.asDiagonal(), 0.5, turn, 0.0});
       add(at, seen);
     }
     problem.held[0] = 1;
@@ -50,7 +50,8 @@ struct Laps {
     problem.relatives.push_back({from, to, relative, information.asDiagonal(), -1.0, 0.0, 2.0});
   }
   void tieTruly(std::size_t from, std::size_t to) {
-    tie(from, to, truth[from].inverse() * truth[to] * Pose2d{noise(0.03), noise(0.03), noise(0.02)});
+    tie(from, to,
+        truth[from].inverse() * truth[to] * Pose2d{noise(0.03), noise(0.03), noise(0.02)});
   }
 
   void tieLaps(std::size_t apart) {
@@ -134,8 +135,8 @@ TEST(PoseRelaxation, ACompassTurnsTheWay) {
   Laps laps(5);
   laps.drive(1, {2.0 * kDegree, 0.0}, 0.01, 0.5 * kDegree);
   for (std::size_t i = 1; i < laps.truth.size(); ++i) {
-    laps.problem.yaws.push_back({i, laps.truth[i].yaw + laps.noise(5.0 * kDegree),
-                                 1.0 / std::pow(10.0 * kDegree, 2)});
+    laps.problem.yaws.push_back(
+        {i, laps.truth[i].yaw + laps.noise(5.0 * kDegree), 1.0 / std::pow(10.0 * kDegree, 2)});
   }
   const double before = laps.rmse();
   laps.problem.find_errors = true;
@@ -149,8 +150,8 @@ TEST(PoseRelaxation, CorrectedMotionTurnsByWhatIsMissed) {
   EXPECT_NEAR(corrected.yaw, 0.2 + 0.1 + 0.05 * 0.2, 1e-12);
   EXPECT_NEAR(std::hypot(corrected.x, corrected.y), 1.0, 1e-12);
   // A turn of more than half a circle is not taken for one the other way.
-  EXPECT_NEAR(errors.corrected({0.0, 0.0, wrapAngle(3.5)}, 0.0, 3.5).yaw,
-              wrapAngle(3.5 * 1.05), 1e-12);
+  EXPECT_NEAR(errors.corrected({0.0, 0.0, wrapAngle(3.5)}, 0.0, 3.5).yaw, wrapAngle(3.5 * 1.05),
+              1e-12);
 }
 
 }  // namespace

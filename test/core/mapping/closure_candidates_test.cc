@@ -1,0 +1,96 @@
+#include "core/mapping/closure_candidates.h"
+
+#include <gtest/gtest.h>
+
+namespace place_memory::core {
+namespace {
+
+const auto kNowhere = [](const Pose2d&) { return false; };
+const auto kEverywhere = [](const Pose2d&) { return true; };
+
+/// A robot that drives along x and is seen elsewhere.
+struct Drive {
+  ClosureCandidates candidates{ClosureOptions{}};
+  double way = 0.0;
+  std::size_t node = 0;
+
+  template <typename AtPlace>
+  void scan(const std::vector<Sighting>& sightings, const AtPlace& at_place) {
+    candidates.update(node++, way, 3.0, {way, 0.0, 0.0}, sightings, at_place);
+    way += 0.5;
+  }
+  /// Where a shift by `dx` and `dy` would put it.
+  Sighting shifted(double dx, double dy, double probability) const {
+    return {7, probability, {way + dx, dy, 0.0}};
+  }
+};
+
+TEST(ClosureCandidates, OneSureScanIsNoWitnessEnough) {
+  Drive drive;
+  drive.scan({drive.shifted(5.0, 1.0, 0.999)}, kNowhere);
+  EXPECT_FALSE(drive.candidates.empty());
+  EXPECT_EQ(drive.candidates.accepted(), nullptr);
+}
+
+TEST(ClosureCandidates, ScansThatAgreeOverThreeMetresAreEnough) {
+  Drive drive;
+  int scans = 0;
+  while (!drive.candidates.accepted() && scans < 20) {
+    drive.scan({drive.shifted(5.0, 1.0, 0.9)}, kEverywhere);
+    ++scans;
+  }
+  ASSERT_NE(drive.candidates.accepted(), nullptr);
+  EXPECT_EQ(scans, 7);  // three metres at half a metre a scan
+  EXPECT_NEAR(drive.candidates.accepted()->target_from_estimate.x, 5.0, 1e-6);
+  EXPECT_NEAR(drive.candidates.accepted()->target_from_estimate.y, 1.0, 1e-6);
+}
+
+TEST(ClosureCandidates, SightingsAllOverThePlaceAgreeWithNothing) {
+  Drive drive;
+  for (int i = 0; i < 40; ++i) {
+    drive.scan({drive.shifted(3.0 * (i % 7), 2.5 * (i % 5), 0.95)}, kEverywhere);
+    EXPECT_EQ(drive.candidates.accepted(), nullptr) << i;
+  }
+}
+
+TEST(ClosureCandidates, TwoThatAreAsGoodWait) {
+  Drive drive;
+  for (int i = 0; i < 20; ++i) {
+    drive.scan({drive.shifted(5.0, 0.0, 0.45), drive.shifted(9.0, 0.0, 0.45)}, kNowhere);
+  }
+  EXPECT_EQ(drive.candidates.accepted(), nullptr);
+  // Once one of them is not seen where it should be, the other one is it.
+  for (int i = 0; i < 6; ++i) drive.scan({drive.shifted(5.0, 0.0, 0.9)}, kEverywhere);
+  ASSERT_NE(drive.candidates.accepted(), nullptr);
+  EXPECT_NEAR(drive.candidates.accepted()->target_from_estimate.x, 5.0, 0.01);
+}
+
+TEST(ClosureCandidates, MissesAtKnownPlacesSpeakAgainst) {
+  Drive drive;
+  for (int i = 0; i < 12; ++i) {
+    std::vector<Sighting> sightings;
+    if (i % 3 == 0) sightings.push_back(drive.shifted(5.0, 0.0, 0.6));
+    drive.scan(sightings, kEverywhere);
+    EXPECT_EQ(drive.candidates.accepted(), nullptr);
+  }
+}
+
+TEST(ClosureCandidates, WithoutFurtherWitnessesOneIsDropped) {
+  Drive drive;
+  for (int i = 0; i < 4; ++i) drive.scan({drive.shifted(5.0, 0.0, 0.9)}, kNowhere);
+  EXPECT_FALSE(drive.candidates.empty());
+  for (int i = 0; i < 10; ++i) drive.scan({}, kNowhere);
+  EXPECT_TRUE(drive.candidates.empty());
+}
+
+TEST(ClosureCandidates, FollowsOdometryThatDrifts) {
+  Drive drive;
+  for (int i = 0; i < 12; ++i) {
+    drive.scan({drive.shifted(5.0 + 0.05 * i, 0.02 * i, 0.9)}, kEverywhere);
+  }
+  ASSERT_NE(drive.candidates.accepted(), nullptr);
+  EXPECT_NEAR(drive.candidates.accepted()->target_from_estimate.x, 5.5, 0.15);
+}
+
+}  // namespace
+}  // namespace place_memory::core

@@ -1,0 +1,197 @@
+#include "core/mapping/mapper.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "config/load_parameters.h"
+#include "sim/world/world_loader.h"
+#include "trials/simulated_drive.h"
+
+namespace place_memory::core {
+namespace {
+
+/// The office of the paper's third experiment, driven through by a robot of sixteen sonars.
+trials::Drive officeDriveOf(double way) {
+  trials::DriveRecipe recipe;
+  recipe.way = way;
+  return trials::simulateDrive(
+      sim::loadWorld(std::string(PLACE_MEMORY_SOURCE_DIR) + "/config/worlds/office.yaml"), {},
+      recipe, 101);
+}
+
+const trials::Drive& officeDrive() {
+  static const trials::Drive kDrive = officeDriveOf(130.0);
+  return kDrive;
+}
+
+MapperOptions options() {
+  const config::Parameters parameters = config::loadParameters({});
+  MapperOptions options;
+  options.recognizer = parameters.match.recognizer;
+  options.sonar = parameters.sonar;
+  return options;
+}
+
+std::chrono::nanoseconds stampOf(double t) {
+  return std::chrono::nanoseconds(std::llround(t * 1e9));
+}
+
+/// Drives `drive` from one moment to another; returns what became of its scans.
+std::vector<ScanDecision> drive(Mapper& mapper, const trials::Drive& moments, bool compass,
+                                std::size_t first = 0, std::size_t last = 1U << 30U) {
+  for (std::size_t i = first; i < std::min(last, moments.size()); ++i) {
+    const trials::DriveMoment& moment = moments[i];
+    if (compass && moment.heading) mapper.addHeading(stampOf(moment.t), *moment.heading);
+    mapper.addOdometry(stampOf(moment.t), moment.odom);
+    for (const SonarReading& reading : moment.readings) {
+      mapper.addReading(stampOf(moment.t), moment.odom, reading);
+    }
+  }
+  return mapper.takeDecisions();
+}
+
+Pose2d truthAt(const trials::Drive& moments, std::chrono::nanoseconds stamp) {
+  for (const trials::DriveMoment& moment : moments) {
+    if (stampOf(moment.t) >= stamp) return *moment.truth;
+  }
+  return *moments.back().truth;
+}
+
+/// Largest error between neighbouring places' relative poses and the truth [m].
+double worstLink(const Mapper& mapper, const trials::Drive& moments) {
+  const std::vector<MappedPlace> places = mapper.places();
+  double worst = 0.0;
+  for (const MappedPlace& a : places) {
+    for (const MappedPlace& b : places) {
+      const Pose2d true_a = truthAt(moments, a.stamp), true_b = truthAt(moments, b.stamp);
+      const Pose2d truth = true_a.inverse() * true_b;
+      if (a.id >= b.id || std::hypot(truth.x, truth.y) > 3.0) continue;
+      const Pose2d got = a.map_from_base.inverse() * b.map_from_base;
+      worst = std::max(worst, std::hypot(got.x - truth.x, got.y - truth.y));
+    }
+  }
+  return worst;
+}
+
+class MapperDrive : public testing::TestWithParam<bool> {};
+
+TEST_P(MapperDrive, MapsTheOfficeAndKnowsItsPlacesAgain) {
+  Mapper mapper(options());
+  const std::vector<ScanDecision> decisions = drive(mapper, officeDrive(), GetParam());
+  EXPECT_GT(mapper.places().size(), 20U);
+  EXPECT_LT(worstLink(mapper, officeDrive()), 0.6);
+  std::map<PlaceId, MappedPlace> places;
+  for (const MappedPlace& place : mapper.places()) places[place.id] = place;
+  int named = 0;
+  for (const ScanDecision& decision : decisions) {
+    if (decision.kind == ScanDecision::Kind::kNewPlace || !places.count(decision.place)) continue;
+    const Pose2d truth = truthAt(officeDrive(), places[decision.place].stamp).inverse() *
+                         truthAt(officeDrive(), decision.stamp);
+    EXPECT_LT(
+        std::hypot(truth.x - decision.place_from_base.x, truth.y - decision.place_from_base.y),
+        0.75);
+    ++named;
+  }
+  EXPECT_GT(named, 60);
+}
+
+TEST_P(MapperDrive, LocalizesOnAMapThatStaysAndFromAnywhere) {
+  Mapper mapper(options());
+  drive(mapper, officeDrive(), GetParam());
+  const std::vector<MappedPlace> before = mapper.places();
+  mapper.setMode(MapperMode::kLocalize);
+  for (const std::size_t first : {300U, 1100U, 2500U}) {
+    mapper.beginSession();
+    EXPECT_FALSE(mapper.mapFromOdom());
+    EXPECT_EQ(mapper.lost(), 1.0);
+    drive(mapper, officeDrive(), GetParam(), first, first + 200);
+    ASSERT_TRUE(mapper.mapFromOdom()) << first;
+    EXPECT_LT(mapper.lost(), 0.2);
+    EXPECT_FALSE(mapper.belief().places.empty());
+  }
+  const std::vector<MappedPlace> after = mapper.places();
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_EQ(after[i].map_from_base.x, before[i].map_from_base.x);
+    EXPECT_EQ(after[i].map_from_base.yaw, before[i].map_from_base.yaw);
+  }
+}
+
+TEST_P(MapperDrive, ALaterSessionJoinsTheMap) {
+  Mapper mapper(options());
+  const std::size_t half = officeDrive().size() / 2;
+  drive(mapper, officeDrive(), GetParam(), 0, half);
+  mapper.beginSession();
+  drive(mapper, officeDrive(), GetParam(), half);
+  for (const MappedPlace& place : mapper.places()) EXPECT_FALSE(place.apart);
+  EXPECT_LT(worstLink(mapper, officeDrive()), 0.6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Compass, MapperDrive, testing::Bool());
+
+TEST(Mapper, TheSameDataGivesTheSameMap) {
+  Mapper one(options()), other(options());
+  drive(one, officeDrive(), true, 0, 2000);
+  for (std::size_t i = 0; i < 2000; i += 7) {
+    drive(other, officeDrive(), true, i, std::min<std::size_t>(i + 7, 2000));
+  }
+  ASSERT_EQ(one.places().size(), other.places().size());
+  for (std::size_t i = 0; i < one.places().size(); ++i) {
+    EXPECT_EQ(one.places()[i].map_from_base.x, other.places()[i].map_from_base.x);
+  }
+}
+
+TEST(Mapper, StandingStillMakesNothingAndMovesNothing) {
+  Mapper mapper(options());
+  drive(mapper, officeDrive(), true, 0, 1500);
+  const std::vector<MappedPlace> before = mapper.places();
+  const std::size_t nodes = mapper.graph().nodes().size();
+  trials::DriveMoment moment = officeDrive()[1500];
+  for (int i = 0; i < 6000; ++i) {
+    moment.t += 0.1;
+    moment.odom.x += i % 2 ? 0.003 : -0.003;
+    drive(mapper, {moment}, true);
+  }
+  EXPECT_EQ(mapper.graph().nodes().size(), nodes);
+  ASSERT_EQ(mapper.places().size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(mapper.places()[i].map_from_base.x, before[i].map_from_base.x);
+  }
+}
+
+TEST(Mapper, AStrangersBuildingIsNotTakenForTheMap) {
+  trials::DriveRecipe recipe;
+  recipe.way = 60.0;
+  const trials::Drive stranger = trials::simulateDrive(
+      sim::loadWorld(std::string(PLACE_MEMORY_SOURCE_DIR) + "/config/worlds/hallway.yaml"), {},
+      recipe, 5);
+  Mapper mapper(options());
+  drive(mapper, officeDrive(), true);
+  mapper.beginSession();
+  drive(mapper, stranger, true);
+  EXPECT_FALSE(mapper.mapFromOdom());
+  EXPECT_EQ(mapper.lost(), 1.0);
+}
+
+TEST(Mapper, ARobotThatIsCarriedWhileItMapsFindsBack) {
+  const trials::Drive office = officeDriveOf(230.0);
+  Mapper mapper(options());
+  const std::size_t from = office.size() * 6 / 10, to = office.size() * 7 / 10;
+  drive(mapper, office, true, 0, from);
+  const Pose2d gone = office[from - 1].odom * office[to].odom.inverse();
+  trials::Drive rest(office.begin() + static_cast<std::ptrdiff_t>(to), office.end());
+  double most_lost = 0.0;
+  for (trials::DriveMoment& moment : rest) {
+    moment.odom = gone * moment.odom;
+    drive(mapper, {moment}, true);
+    most_lost = std::max(most_lost, mapper.lost());
+  }
+  EXPECT_GT(most_lost, 0.95);
+  EXPECT_TRUE(mapper.mapFromOdom());
+  EXPECT_LT(worstLink(mapper, office), 0.75);
+}
+
+}  // namespace
+}  // namespace place_memory::core
