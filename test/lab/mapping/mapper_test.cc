@@ -178,7 +178,18 @@ TEST(Mapper, AStrangersBuildingIsNotTakenForTheMap) {
 TEST(Mapper, ARobotThatIsCarriedWhileItMapsFindsBack) {
   const trials::Drive office = officeDriveOf(230.0);
   Mapper mapper(options());
-  const std::size_t from = office.size() * 6 / 10, to = office.size() * 7 / 10;
+  // From half way on it is put down where it would have come to lie farthest off soon after.
+  const std::size_t from = office.size() / 2;
+  std::size_t to = from;
+  double farthest = 0.0;
+  for (std::size_t i = from; i < office.size() * 65 / 100; ++i) {
+    const double off = std::hypot(office[i].truth->x - office[from].truth->x,
+                                  office[i].truth->y - office[from].truth->y);
+    if (off <= farthest) continue;
+    farthest = off;
+    to = i;
+  }
+  ASSERT_GT(farthest, 6.0);
   drive(mapper, office, true, 0, from);
   const Pose2d gone = office[from - 1].odom * office[to].odom.inverse();
   trials::Drive rest(office.begin() + static_cast<std::ptrdiff_t>(to), office.end());
