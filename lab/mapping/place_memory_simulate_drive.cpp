@@ -6,7 +6,7 @@
 #include <string>
 
 #include "sim/building/building_generator.h"
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_loader.h"
 #include "trials/simulated_drive.h"
 
 namespace po = boost::program_options;

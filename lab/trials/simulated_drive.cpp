@@ -4,12 +4,12 @@
 #include <cmath>
 #include <memory>
 
-#include "sim/robot/crowd.h"
-#include "sim/robot/random.h"
+#include "sim/scene/crowd.h"
+#include "sim/world/random.h"
 #include "sim/scene/scene.h"
 #include "sim/senses/compass_field.h"
 #include "sim/senses/sonar_physics.h"
-#include "sim/world/world_changes.h"
+#include "sim/scene/world_changes.h"
 
 namespace place_memory::trials {
 namespace {

@@ -2,7 +2,7 @@
 #define PLACE_MEMORY_CORE_MAPPING_PLACE_MATCHER_H
 
 #include <Eigen/Core>
-#include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/index/place_index.h"
@@ -30,7 +30,7 @@ class PlaceMatcher {
   void move(PlaceId id, const Pose2d& map_from_grid);
   /// The places of another one too.
   void takeAll(const PlaceMatcher& other);
-  bool erase(PlaceId id) { return index_.erase(id); }
+  bool erase(PlaceId id);
   std::size_t size() const { return index_.size(); }
 
   /// The few best of all places, best first. `heading_window` [rad].
@@ -42,6 +42,7 @@ class PlaceMatcher {
  private:
   Recognizer recognizer_;
   PlaceIndex index_;
+  std::unordered_map<PlaceId, Pose2d> frames_;  ///< where the grids lie
 };
 
 }  // namespace place_memory::core

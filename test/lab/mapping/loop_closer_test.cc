@@ -9,7 +9,7 @@
 #include "config/load_parameters.h"
 #include "core/mapping/dead_reckoning.h"
 #include "core/mapping/moving_scan.h"
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_loader.h"
 #include "trials/simulated_drive.h"
 
 namespace place_memory::core {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "config/load_parameters.h"
-#include "sim/world/world_loader.h"
+#include "sim/scene/world_loader.h"
 #include "trials/simulated_drive.h"
 
 namespace place_memory::core {
