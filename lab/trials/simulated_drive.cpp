@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "sim/scene/crowd.h"
-#include "sim/world/random.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/world_changes.h"
 #include "sim/senses/compass_field.h"
 #include "sim/senses/sonar_physics.h"
-#include "sim/scene/world_changes.h"
+#include "sim/world/random.h"
 
 namespace place_memory::trials {
 namespace {

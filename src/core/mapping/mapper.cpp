@@ -10,25 +10,12 @@ namespace {
 constexpr double kDegree = kPi / 180.0;
 constexpr std::chrono::nanoseconds kHeadingAge = std::chrono::seconds(1);
 
-constexpr std::size_t kWindow = 40;     ///< nodes that a local correction moves
 constexpr std::size_t kFullEvery = 20;  ///< nodes between corrections of the whole map
+constexpr double kAtPlace = 0.6;        ///< so near to a place a scan should show it [m]
 constexpr double kCompassWindow = 45.0 * kDegree;
-constexpr double kAtPlace = 0.6;           ///< so near to a place a scan should show it [m]
-constexpr double kSurelyElsewhere = 0.82;  ///< probability of another place
-constexpr double kSurelyLost = 0.98;
-/// Further from its last tie a robot may not expect to see what is near where it thinks it is [m].
-constexpr double kSurelyAnchored = 12.0;
-constexpr double kLostAfterClosure = 0.05;
-constexpr int kMapSession = 1;
-constexpr double kRegion = 1.0;        ///< of a place, for the belief [m]
-constexpr std::size_t kMostTold = 32;  ///< places of a belief
 constexpr double kCompassAgrees = 30.0 * kDegree;
-constexpr double kUseful = 0.3;  ///< probability of a match that is worth something
-/// No tie may be further off than three sigma: of three numbers together [sigma^2].
-constexpr double kFarOff = 14.2;
-constexpr int kCarried = 2;            ///< closures refused since the last tie
-constexpr double kFarthestWay = 60.0;  ///< ways through the graph that are followed [m]
-constexpr double kLongUntied = 5.0;    ///< way after which the heading is anyone's guess [m]
+constexpr double kUseful = 0.3;      ///< probability of a match that is worth something
+constexpr double kLongUntied = 5.0;  ///< way after which the heading is anyone's guess [m]
 
 }  // namespace
 
@@ -89,16 +76,6 @@ std::optional<Pose2d> Mapper::mapFromOdom() const {
   const Pose2d map_from_base =
       graph_.nodes().back().pose * (last_middle_->reckoned.inverse() * reckoning_.pose());
   return map_from_base * newest_odom_.inverse();
-}
-
-std::vector<MappedPlace> Mapper::places() const {
-  std::vector<MappedPlace> places;
-  for (const auto& [id, at] : shelf_.places()) {
-    const ScanNode& node = graph_.node(at);
-    places.push_back(
-        {id, "place_" + std::to_string(id), node.stamp, node.pose, node.session != kMapSession});
-  }
-  return places;
 }
 
 NodeIndex Mapper::append(const MovingScan& scan) {
@@ -200,95 +177,6 @@ void Mapper::process(const MovingScan& scan) {
   if (options_.mode == MapperMode::kLocalize) tidy();
 }
 
-PlaceBelief::Map Mapper::beliefMap() const {
-  PlaceBelief::Map map;
-  const PlaceMatcher* matcher = shelf_.matcher(kMapSession);
-  map.places = matcher ? matcher->size() : 0;
-  map.map_from_place = [this](PlaceId id) { return graph_.node(shelf_.nodeOf(id)).pose; };
-  map.nearest = [this](const Pose2d& pose) {
-    const std::vector<PlaceShelf::Near> near = shelf_.near(pose, kMapSession, kRegion, true);
-    return near.empty() ? kNoPlace : near.front().id;
-  };
-  return map;
-}
-
-void Mapper::believe(NodeIndex at, const std::vector<PlaceFit>& fits, const LaidScan& scan) {
-  const ScanNode& node = graph_.node(at);
-  const double stretch = std::max(node.last_way - node.first_way, 1e-3);
-  const double moved = node.before ? node.last_way - graph_.node(*node.before).last_way : stretch;
-  const PlaceBelief::Map map = beliefMap();
-  if (node.before) {
-    belief_.predict(graph_.node(*node.before).pose.inverse() * scan.map_from_base,
-                    std::min(1.0, moved), map);
-  }
-  std::vector<BeliefMatch> matches;
-  double known = 0.0;
-  const std::vector<Sighting> seen = tying_.sightings(fits, scan);
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    known += fits[i].probability;
-    matches.push_back(
-        {fits[i].id, fits[i].score, map.map_from_place(fits[i].id).inverse() * seen[i].pose});
-  }
-  belief_.measure(matches, known, std::min(1.0, moved), map);
-}
-
-BeliefSummary Mapper::belief() const {
-  BeliefSummary summary;
-  for (const auto& [id, state] : belief_.states()) summary.places.emplace_back(id, state.mass);
-  std::sort(summary.places.begin(), summary.places.end(), [](const auto& a, const auto& b) {
-    return a.second != b.second ? a.second > b.second : a.first < b.first;
-  });
-  if (summary.places.size() > kMostTold) summary.places.resize(kMostTold);
-  summary.off_map = belief_.offMap();
-  summary.lost = lost();
-  return summary;
-}
-
-bool Mapper::outOfReach(NodeIndex at, PlaceId place, const Pose2d& pose) const {
-  if (!shelf_.has(place)) return false;
-  const ScanNode& node = graph_.node(at);
-  const auto ways = graph_.ways(at, kFarthestWay);
-  const auto way = ways.find(shelf_.nodeOf(place));
-  if (way == ways.end()) return false;  // a loop that is not closed may lie anywhere
-  return std::hypot(pose.x - node.pose.x, pose.y - node.pose.y) >
-         1.0 + 4.0 * positionSigma(way->second, node.compass.has_value());
-}
-
-void Mapper::judgeLost(NodeIndex at, bool tracked, const std::vector<Sighting>& others) {
-  const ScanNode& node = graph_.node(at);
-  if (!node.before || session_ != kMapSession) return;
-  const double untied = reckoning_.way() - anchored_way_;
-  const ClosureCandidate* loop = loops_.foremost();
-  ScanWitness witness = ScanWitness::kSilent;
-  if (tracked) {
-    witness = ScanWitness::kAgrees;
-  } else if (untied >= kSurelyAnchored || graph_.ties().empty()) {
-    witness = ScanWitness::kSilent;  // that the robot is elsewhere would be a loop to close
-  } else if ((!others.empty() && others.front().probability >= kSurelyElsewhere &&
-              outOfReach(at, others.front().place, others.front().pose)) ||
-             (loop && loop->witnesses.size() >= 2 && loop->witnesses.back().node == at &&
-              outOfReach(at, loop->witnesses.back().place,
-                         loop->target_from_estimate * node.pose))) {
-    witness = ScanWitness::kElsewhere;
-  } else if (placeNear(session_)(node.pose)) {
-    witness = ScanWitness::kMisses;
-  }
-  lost_.update(witness, node.last_way - graph_.node(*node.before).last_way);
-  if (lost_.probability() > kSurelyLost) partWays();
-}
-
-void Mapper::partWays() {
-  // What was driven since the last tie lies nobody knows where.
-  NodeIndex first = graph_.nodes().size() - 1;
-  while (first > 0 && graph_.node(first).before && !graph_.tied(*graph_.node(first).before)) {
-    --first;
-  }
-  graph_.cutBefore(first);
-  beginApart();
-  graph_.split(first, session_, Pose2d{});
-  shelf_.resort(graph_);
-}
-
 void Mapper::tidy() {
   if (graph_.nodes().size() <= kWindow) return;
   ScanNode& old = graph_.node(graph_.nodes().size() - 1 - kWindow);
@@ -310,98 +198,6 @@ std::vector<Sighting> Mapper::elsewhere(std::vector<Sighting> sightings,
   };
   sightings.erase(std::remove_if(sightings.begin(), sightings.end(), is_here), sightings.end());
   return sightings;
-}
-
-bool Mapper::closeLoops(double way) {
-  const bool moves_map = options_.mode == MapperMode::kMap;
-  bool closed = false;
-  if (const ClosureCandidate* loop = loops_.accepted()) {
-    closed = closer_.close(*loop, session_, session_, moves_map, way);
-    if (!closed) loops_.dropForemost();
-    // Witnesses enough, and still odometry cannot have brought the robot there: it was carried.
-    if (!closed && ++refused_ >= kCarried && session_ == kMapSession && !graph_.ties().empty()) {
-      partWays();
-      return false;
-    }
-  }
-  if (!closed && session_ != kMapSession) {
-    if (const ClosureCandidate* join = joins_.accepted()) {
-      closed = closer_.close(*join, session_, kMapSession, moves_map, way);
-      if (!closed) joins_.dropForemost();
-      if (closed) session_ = kMapSession;
-    }
-  }
-  if (!closed) return false;
-  if (moves_map) {
-    afterRelaxing();
-  } else {
-    graph_.relaxRecent(kWindow);
-  }
-  loops_.clear();
-  joins_.clear();
-  lost_.set(kLostAfterClosure);
-  return true;
-}
-
-void Mapper::beginApart() {
-  undecided_.clear();
-  loops_.clear();
-  joins_ = ClosureCandidates(options_.mode == MapperMode::kMap ? options_.join : options_.relocate);
-  closer_.endTrial();
-  session_ = ++last_session_;
-  lost_.set(0.0);
-  belief_.reset();
-}
-
-void Mapper::takeBack() {
-  if (const std::optional<int> apart = closer_.splitSession()) session_ = *apart;
-  if (options_.mode == MapperMode::kMap) {
-    graph_.relaxAll(session_, 15);
-    afterRelaxing();
-  }
-  // Places that had gone because they seemed doubled are made anew.
-  undecided_.clear();
-  for (NodeIndex at = 0; at < graph_.nodes().size(); ++at) {
-    if (graph_.node(at).session == session_) undecided_.push_back(at);
-  }
-}
-
-void Mapper::afterRelaxing() {
-  scans_since_full_ = 0;
-  ties_since_full_ = false;
-  // Of places that have come to lie on each other the newer one goes; its scan stays in the graph.
-  graph_.untie([this](const Tie& tie) { return graph_.chiSquare(tie) > kFarOff; });
-  shelf_.follow(graph_);
-  std::vector<PlaceId> doubled;
-  for (const auto& [id, at] : shelf_.places()) {
-    const ScanNode& node = graph_.node(at);
-    for (const PlaceShelf::Near& near :
-         shelf_.near(node.pose, node.session, options_.doubled, false)) {
-      if (near.id < id) {
-        doubled.push_back(id);
-        break;
-      }
-    }
-  }
-  for (const PlaceId id : doubled) {
-    shelf_.remove(id, graph_);
-    belief_.forget(id);
-  }
-}
-
-void Mapper::makePlaces() {
-  const auto pending = [](const ClosureCandidates& candidates) {
-    const ClosureCandidate* best = candidates.foremost();
-    return best && best->witnesses.size() >= 2;
-  };
-  if (pending(loops_) || pending(joins_)) return;
-  for (const NodeIndex at : undecided_) {
-    const ScanNode& node = graph_.node(at);
-    if (shelf_.near(node.pose, node.session, options_.spacing, false).empty()) {
-      shelf_.add(at, graph_);
-    }
-  }
-  undecided_.clear();
 }
 
 void Mapper::name(NodeIndex at, ScanDecision& decision) const {

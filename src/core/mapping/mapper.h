@@ -111,6 +111,9 @@ class Mapper {
   const ScanGraph& graph() const { return graph_; }
 
  private:
+  static constexpr int kMapSession = 1;       ///< in whose frame the map lies
+  static constexpr std::size_t kWindow = 40;  ///< nodes that a local correction moves
+
   void process(const MovingScan& scan);
   NodeIndex append(const MovingScan& scan);
   double headingWindow() const;

@@ -1,0 +1,110 @@
+// How the map grows and is corrected.
+#include <algorithm>
+#include <cmath>
+
+#include "core/mapping/mapper.h"
+
+namespace place_memory::core {
+namespace {
+
+constexpr int kCarried = 2;  ///< closures refused since the last tie
+constexpr double kLostAfterClosure = 0.05;
+/// No tie may be further off than three sigma: of three numbers together [sigma^2].
+constexpr double kFarOff = 14.2;
+constexpr int kSteps = 15;  ///< of a relaxation after a change of what is known
+
+}  // namespace
+
+std::vector<MappedPlace> Mapper::places() const {
+  std::vector<MappedPlace> places;
+  for (const auto& [id, at] : shelf_.places()) {
+    const ScanNode& node = graph_.node(at);
+    places.push_back(
+        {id, "place_" + std::to_string(id), node.stamp, node.pose, node.session != kMapSession});
+  }
+  return places;
+}
+
+bool Mapper::closeLoops(double way) {
+  const bool moves_map = options_.mode == MapperMode::kMap;
+  bool closed = false;
+  if (const ClosureCandidate* loop = loops_.accepted()) {
+    closed = closer_.close(*loop, session_, session_, moves_map, way);
+    if (!closed) loops_.dropForemost();
+    // Witnesses enough, and still odometry cannot have brought the robot there: it was carried.
+    if (!closed && ++refused_ >= kCarried && session_ == kMapSession && !graph_.ties().empty()) {
+      partWays();
+      return false;
+    }
+  }
+  if (!closed && session_ != kMapSession) {
+    if (const ClosureCandidate* join = joins_.accepted()) {
+      closed = closer_.close(*join, session_, kMapSession, moves_map, way);
+      if (!closed) joins_.dropForemost();
+      if (closed) session_ = kMapSession;
+    }
+  }
+  if (!closed) return false;
+  if (moves_map) {
+    afterRelaxing();
+  } else {
+    graph_.relaxRecent(kWindow);
+  }
+  loops_.clear();
+  joins_.clear();
+  lost_.set(kLostAfterClosure);
+  return true;
+}
+
+void Mapper::takeBack() {
+  if (const std::optional<int> apart = closer_.splitSession()) session_ = *apart;
+  if (options_.mode == MapperMode::kMap) {
+    graph_.relaxAll(session_, kSteps);
+    afterRelaxing();
+  }
+  // Places that had gone because they seemed doubled are made anew.
+  undecided_.clear();
+  for (NodeIndex at = 0; at < graph_.nodes().size(); ++at) {
+    if (graph_.node(at).session == session_) undecided_.push_back(at);
+  }
+}
+
+void Mapper::afterRelaxing() {
+  scans_since_full_ = 0;
+  ties_since_full_ = false;
+  // Of places that have come to lie on each other the newer one goes; its scan stays in the graph.
+  graph_.untie([this](const Tie& tie) { return graph_.chiSquare(tie) > kFarOff; });
+  shelf_.follow(graph_);
+  std::vector<PlaceId> doubled;
+  for (const auto& [id, at] : shelf_.places()) {
+    const ScanNode& node = graph_.node(at);
+    for (const PlaceShelf::Near& near :
+         shelf_.near(node.pose, node.session, options_.doubled, false)) {
+      if (near.id < id) {
+        doubled.push_back(id);
+        break;
+      }
+    }
+  }
+  for (const PlaceId id : doubled) {
+    shelf_.remove(id, graph_);
+    belief_.forget(id);
+  }
+}
+
+void Mapper::makePlaces() {
+  const auto pending = [](const ClosureCandidates& candidates) {
+    const ClosureCandidate* best = candidates.foremost();
+    return best && best->witnesses.size() >= 2;
+  };
+  if (pending(loops_) || pending(joins_)) return;
+  for (const NodeIndex at : undecided_) {
+    const ScanNode& node = graph_.node(at);
+    if (shelf_.near(node.pose, node.session, options_.spacing, false).empty()) {
+      shelf_.add(at, graph_);
+    }
+  }
+  undecided_.clear();
+}
+
+}  // namespace place_memory::core
