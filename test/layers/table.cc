@@ -86,6 +86,7 @@ const std::map<std::string, Parts> kMayUse{
     {"lab/training", {"lab/trials"}},
     {"lab/experiments", {"lab/trials"}},
     {"lab/benchmark", {"lab/trials", "google_benchmark"}},
+    {"lab/mapping", {"lab/trials"}},
 };
 
 /// Single files that may use more than their part, and why.

@@ -175,6 +175,7 @@ void Mapper::process(const MovingScan& scan) {
   }
   decisions_.push_back(decision);
   if (options_.mode == MapperMode::kLocalize) tidy();
+  if (options_.mode == MapperMode::kMap && scans_since_full_ == 0) thinOut();
 }
 
 void Mapper::tidy() {

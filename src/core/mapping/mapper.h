@@ -11,6 +11,7 @@
 #include "core/map/place_belief.h"
 #include "core/mapping/closure_candidates.h"
 #include "core/mapping/dead_reckoning.h"
+#include "core/mapping/graph_thinning.h"
 #include "core/mapping/loop_closer.h"
 #include "core/mapping/lost_estimate.h"
 #include "core/mapping/moving_scan.h"
@@ -37,6 +38,7 @@ struct MapperOptions {
   ClosureOptions join{8, 5.0, 1.5, 10.0, 3.0, 4.0};     ///< of a session with the map
   ClosureOptions relocate{2, 0.2, 0.0, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
   double cell_size = kDefaultCellSize;                  ///< [m]
+  ThinningOptions thinning;
   SonarModelOptions sonar;
   RecognizerOptions recognizer;
 };
@@ -62,6 +64,14 @@ struct BeliefSummary {
   std::vector<std::pair<PlaceId, double>> places;  ///< the most probable, most probable first
   double off_map = 1.0;
   double lost = 1.0;
+};
+
+/// A map as it is kept: nodes that are places have their readings; of a map without scans between
+/// places, or without ties, the rest is empty.
+struct KeptMap {
+  std::vector<ScanNode> nodes;
+  std::vector<Tie> ties;
+  OdometryErrors errors;
 };
 
 /// A place of the map.
@@ -108,6 +118,12 @@ class Mapper {
   BeliefSummary belief() const;
 
   std::vector<MappedPlace> places() const;
+  /// Everything that makes the map, to be kept.
+  KeptMap map() const { return {graph_.nodes(), graph_.ties(), graph_.errors()}; }
+  /// Takes up a map that was kept, in a mapper that has none; where the robot is on it is not
+  /// known. Throws std::invalid_argument where the mapper has one, or an index or a number of `map`
+  /// is wrong.
+  void restore(const KeptMap& map);
   const ScanGraph& graph() const { return graph_; }
 
  private:
@@ -131,6 +147,7 @@ class Mapper {
   void beginApart();
   void tidy();
   void makePlaces();
+  void thinOut();
   void afterRelaxing();
   void name(NodeIndex at, ScanDecision& decision) const;
 

@@ -1,6 +1,8 @@
 // How the map grows and is corrected.
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "core/mapping/mapper.h"
 
@@ -90,6 +92,35 @@ void Mapper::afterRelaxing() {
     shelf_.remove(id, graph_);
     belief_.forget(id);
   }
+}
+
+void Mapper::thinOut() {
+  // Who refers to nodes by their indices is empty then, but for the shelf.
+  if (!loops_.empty() || !joins_.empty() || !undecided_.empty() || closer_.onTrial() != 0) return;
+  if (const auto now = thin(graph_, options_.thinning)) shelf_.renumber(*now);
+}
+
+void Mapper::restore(const KeptMap& map) {
+  if (!graph_.nodes().empty()) throw std::invalid_argument("the mapper has a map already");
+  for (NodeIndex at = 0; at < map.nodes.size(); ++at) {
+    const ScanNode& node = map.nodes[at];
+    if (!node.pose.isFinite() || (node.before && *node.before >= at)) {
+      throw std::invalid_argument("node " + std::to_string(at) + " of the map is damaged");
+    }
+    if (node.place != kNoPlace && !node.readings) {
+      throw std::invalid_argument("place " + std::to_string(node.place) + " has no readings");
+    }
+    last_session_ = std::max(last_session_, node.session);
+  }
+  for (const Tie& tie : map.ties) {
+    if (std::max(tie.node, tie.place) >= map.nodes.size() || !tie.information.allFinite()) {
+      throw std::invalid_argument("a tie of the map is damaged");
+    }
+  }
+  graph_.assign(map.nodes, map.ties, map.errors);
+  shelf_.restore(graph_);
+  setMode(options_.mode);
+  beginSession();
 }
 
 void Mapper::makePlaces() {

@@ -89,6 +89,21 @@ void PlaceShelf::resort(ScanGraph& graph) {
   }
 }
 
+void PlaceShelf::renumber(const std::vector<std::optional<NodeIndex>>& now) {
+  for (auto& [id, at] : node_of_) at = *now[at];
+}
+
+void PlaceShelf::restore(ScanGraph& graph) {
+  for (NodeIndex at = 0; at < graph.nodes().size(); ++at) {
+    const PlaceId id = graph.node(at).place;
+    if (id == kNoPlace) continue;
+    node_of_[id] = at;
+    last_id_ = std::max(last_id_, id);
+    shelve(id, graph);
+  }
+  locate(graph);
+}
+
 const PlaceMatcher* PlaceShelf::matcher(int session) const {
   const auto found = matchers_.find(session);
   return found == matchers_.end() || found->second.size() == 0 ? nullptr : &found->second;

@@ -32,6 +32,11 @@ class PlaceShelf {
   /// After nodes came to be of another session: moves their places.
   void resort(ScanGraph& graph);
 
+  /// After nodes changed their indices: those that were and those that are.
+  void renumber(const std::vector<std::optional<NodeIndex>>& now);
+  /// Takes up the places of a graph that was kept; the shelf is empty before.
+  void restore(ScanGraph& graph);
+
   NodeIndex nodeOf(PlaceId id) const { return node_of_.at(id); }
   bool has(PlaceId id) const { return node_of_.count(id) > 0; }
   const std::map<PlaceId, NodeIndex>& places() const { return node_of_; }

@@ -47,6 +47,19 @@ NodeIndex ScanGraph::append(const ScanNode& node) {
   return nodes_.size() - 1;
 }
 
+void ScanGraph::assign(std::vector<ScanNode> nodes, std::vector<Tie> ties,
+                       const OdometryErrors& errors) {
+  nodes_ = std::move(nodes);
+  ties_ = std::move(ties);
+  errors_ = errors;
+  ties_of_.assign(nodes_.size(), {});
+  next_of_.assign(nodes_.size(), {});
+  for (NodeIndex at = 0; at < nodes_.size(); ++at) {
+    if (nodes_[at].before) next_of_[*nodes_[at].before].push_back(at);
+  }
+  indexTies();
+}
+
 Pose2d ScanGraph::predicted(const ScanNode& node) const {
   return nodes_[*node.before].pose *
          errors_.corrected(node.motion, node.motion_way, node.motion_turn);

@@ -59,6 +59,8 @@ class ScanGraph {
   const OdometryErrors& errors() const { return errors_; }
 
   NodeIndex append(const ScanNode& node);
+  /// Takes the place of everything: as it was kept, or thinned. Indices are those in `nodes`.
+  void assign(std::vector<ScanNode> nodes, std::vector<Tie> ties, const OdometryErrors& errors);
   /// Where odometry puts a node after the one before it, its errors taken out.
   Pose2d predicted(const ScanNode& node) const;
 

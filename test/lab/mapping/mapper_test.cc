@@ -144,6 +144,44 @@ TEST(Mapper, TheSameDataGivesTheSameMap) {
   }
 }
 
+TEST(Mapper, AMapThatWasKeptServesAgain) {
+  Mapper mapper(options());
+  drive(mapper, officeDrive(), true);
+  const KeptMap kept = mapper.map();
+  MapperOptions localize = options();
+  localize.mode = MapperMode::kLocalize;
+  Mapper later(localize);
+  later.restore(kept);
+  EXPECT_FALSE(later.mapFromOdom());
+  drive(later, officeDrive(), true, 1100, 1300);
+  EXPECT_TRUE(later.mapFromOdom());
+  ASSERT_EQ(later.places().size(), mapper.places().size());
+  EXPECT_EQ(later.places().back().id, mapper.places().back().id);
+  EXPECT_THROW(later.restore(kept), std::invalid_argument);
+  KeptMap damaged = kept;
+  damaged.nodes[5].pose.x = NAN;
+  EXPECT_THROW(Mapper(localize).restore(damaged), std::invalid_argument);
+}
+
+TEST(Mapper, LapsDoNotMakeTheMapGrow) {
+  trials::DriveRecipe recipe;
+  recipe.way = 400.0;
+  recipe.people = 0;
+  recipe.changes = false;
+  const trials::Drive laps = trials::simulateDrive(
+      sim::loadWorld(std::string(PLACE_MEMORY_SOURCE_DIR) + "/config/worlds/rooms.yaml"), {},
+      recipe, 9);
+  MapperOptions thinned = options();
+  thinned.thinning.visits = 6;
+  Mapper mapper(thinned);
+  drive(mapper, laps, true, 0, laps.size() / 2);
+  const std::size_t half = mapper.graph().nodes().size();
+  drive(mapper, laps, true, laps.size() / 2);
+  EXPECT_LT(mapper.graph().nodes().size(), half + 40);
+  EXPECT_LT(mapper.graph().nodes().size(), 9 * mapper.places().size() + 130);
+  EXPECT_LT(worstLink(mapper, laps), 0.6);
+}
+
 TEST(Mapper, StandingStillMakesNothingAndMovesNothing) {
   Mapper mapper(options());
   drive(mapper, officeDrive(), true, 0, 1500);
