@@ -8,7 +8,8 @@ enum class ScanWitness {
   kAgrees,    ///< it was tracked at a place
   kSilent,    ///< no place is near where it thinks it is
   kMisses,    ///< a place is near, but the scan is not of it
-  kElsewhere  ///< a place is recognized where odometry cannot have brought it
+  kDoubts,    ///< no place is near, and one is recognized where odometry cannot have brought it
+  kElsewhere  ///< likewise, though a place is near that the scan should be of
 };
 
 /// P(lost): a two-state filter. A robot may be lifted at any time; scans at known places tell.

@@ -86,7 +86,7 @@ void Mapper::judgeLost(NodeIndex at, bool tracked, const std::vector<Sighting>& 
              (loop && loop->witnesses.size() >= 2 && loop->witnesses.back().node == at &&
               outOfReach(at, loop->witnesses.back().place,
                          loop->target_from_estimate * node.pose))) {
-    witness = ScanWitness::kElsewhere;
+    witness = placeNear(session_)(node.pose) ? ScanWitness::kElsewhere : ScanWitness::kDoubts;
   } else if (placeNear(session_)(node.pose)) {
     witness = ScanWitness::kMisses;
   }
@@ -99,6 +99,10 @@ void Mapper::partWays() {
   NodeIndex first = graph_.nodes().size() - 1;
   while (first > 0 && graph_.node(first).before && !graph_.tied(*graph_.node(first).before)) {
     --first;
+  }
+  // A place among it may be made of readings from before and after.
+  for (NodeIndex at = first; at < graph_.nodes().size(); ++at) {
+    if (graph_.node(at).place != kNoPlace) shelf_.remove(graph_.node(at).place, graph_);
   }
   graph_.cutBefore(first);
   beginApart();
