@@ -5,6 +5,7 @@
 
 #include "config/parameter_reader.h"
 #include "config/renamed_parameters.h"
+#include "config/search_methods.h"
 #include "config/store_path.h"
 #include "config/yaml_file.h"
 #include "place_memory/config/match_preset.h"
@@ -70,14 +71,9 @@ void readSonar(ParameterReader& reader, core::SonarModelOptions& sonar) {
 
 void readMatch(ParameterReader& reader, MatchOptions& match) {
   reader.text("match/preset", anything, match.preset);
-  reader.choice("match/method",
-                {{"nearest_neighbour", core::SearchMethod::kNearestNeighbour},
-                 {"hill_climbing", core::SearchMethod::kHillClimbing},
-                 {"restarts", core::SearchMethod::kRestarts},
-                 {"exhaustive", core::SearchMethod::kExhaustive}},
-                match.recognizer.method);
+  reader.choice("match/method", searchMethods(), match.recognizer.method);
   reader.number("match/position_window", leftOpen(0.0, 100.0), match.recognizer.position_window);
-  reader.number("match/heading_window", closed(0.0, core::kPi), match.heading_window);
+  reader.number("match/heading_window", closed(0.0, core::kPi), match.recognizer.heading_window);
   reader.number("match/confidence", open(0.5, 1.0), match.recognizer.confidence);
   int threads = 0;
   reader.integer("match/threads", closed(0, static_cast<double>(core::kMostThreads)), threads);

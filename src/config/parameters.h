@@ -37,9 +37,8 @@ struct ScanOptions {
 
 /// How a scan is matched against the learned places (paper 4).
 struct MatchOptions {
-  std::string preset = "evidence";          ///< evidence, paper, or the path of a preset file
-  core::RecognizerOptions recognizer;       ///< with what that preset holds
-  double heading_window = core::kPi / 4.0;  ///< [rad]
+  std::string preset = "evidence";     ///< evidence, paper, or the path of a preset file
+  core::RecognizerOptions recognizer;  ///< with what that preset holds
 };
 
 /// What is drawn for rviz.

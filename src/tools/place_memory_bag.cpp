@@ -31,7 +31,7 @@ std::vector<Event> loadEvents(const Arguments& arguments, const config::Paramete
                               const ros::Time& bag_start) {
   if (arguments.events.empty()) return findEvents(arguments.bag, parameters);
   std::istringstream table(support::readWholeFile(arguments.events));
-  return readEvents(table, arguments.events, parameters.match.heading_window, bag_start);
+  return readEvents(table, arguments.events, parameters.match.recognizer.heading_window, bag_start);
 }
 
 /// Opens the table of results and writes its header.

@@ -91,7 +91,7 @@ std::vector<Event> findEvents(const std::string& bag, const config::Parameters& 
     event.start = stretch.start;
     event.end = stretch.end;
     event.action = Action::kRecognize;
-    event.heading_window = parameters.match.heading_window;
+    event.heading_window = parameters.match.recognizer.heading_window;
     event.visit = true;
     events.push_back(event);
   }

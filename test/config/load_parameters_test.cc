@@ -64,7 +64,7 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_EQ(a.match.recognizer.confidence, b.match.recognizer.confidence);
   EXPECT_EQ(a.match.recognizer.threads, b.match.recognizer.threads);
   EXPECT_EQ(a.match.recognizer.metric.weights, b.match.recognizer.metric.weights);
-  EXPECT_NEAR(a.match.heading_window, b.match.heading_window, 1e-6);
+  EXPECT_NEAR(a.match.recognizer.heading_window, b.match.recognizer.heading_window, 1e-6);
   EXPECT_EQ(a.places.enabled, b.places.enabled);
   EXPECT_EQ(a.places.retention, b.places.retention);
   EXPECT_EQ(a.markers.labels, b.markers.labels);
