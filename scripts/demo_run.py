@@ -27,7 +27,8 @@ from demo_tools.memory import VERDICTS, Memory
 from demo_tools.processes import Process, VirtualDisplay
 from demo_tools.screenshot import Rviz, write_overview_config
 from demo_tools.senses import Compass
-from demo_tools.trial import Answer, Learned, Trial, position_error, right_labels
+from demo_tools.trial import (EQUALLY_NEAR, Answer, Learned, Trial, position_error,
+                              right_labels)
 from demo_tools.waiting import wait_until
 
 OURS, PAPER = "default", "paper"
@@ -154,6 +155,7 @@ def demonstrate(options, share, display, check):
                         demonstration.trials,
                         "Learned grids and those of the way back (black occupied, white empty, "
                         "grey unsensed); below: the place each method found")
+    say(report.legend(rospy.get_param(f"/{NODES[OURS]}/match/confidence"), EQUALLY_NEAR))
     for method in NODES:
         say(report.total(method, demonstration.trials))
     say(f"{time.monotonic() - started:.0f} s; pictures and results.csv are in {options.out}")

@@ -10,14 +10,27 @@ def number(value, form):
 
 
 def answer_cells(answer):
-    return (f"{answer.label:>5} {'yes' if answer.is_right else 'NO':>5} "
-            f"{number(answer.error, '{:.2f}'):>7} {answer.match_ms:>7.1f}")
+    return (f"{answer.label:>5} {'yes' if answer.is_right else 'NO':>5} {answer.verdict:>10} "
+            f"{answer.probability:>5.2f} {number(answer.error, '{:.2f}'):>6} {answer.match_ms:>6.1f}")
 
 
 def heading(methods):
-    titles = "".join(f" | {method:^27}" for method in methods)
-    columns = "".join(f" | {'match':>5} {'right':>5} {'err[m]':>7} {'ms':>7}" for _ in methods)
+    titles = "".join(f" | {method:^42}" for method in methods)
+    columns = "".join(f" | {'match':>5} {'right':>5} {'verdict':>10} {'prob.':>5} {'err[m]':>6} "
+                      f"{'ms':>6}" for _ in methods)
     return f"{'':>5} {'compass':>8}{titles}\n{'place':>5} {'deg':>8}{columns}"
+
+
+def legend(confidence, equally_near):
+    """How the table is to be read, for a memory with that confidence; `equally_near` in metres."""
+    return (
+        f"place: beside which the robot stood, two feet off. right: the match is the place nearest to "
+        f"the robot, or one that is less than {equally_near:.2f} m further off: halfway between two "
+        f"places either is right.\n"
+        f"verdict: recognized where the probability of the match is at least {confidence:g} "
+        f"(match/confidence). A right match is not called recognized where another place fits nearly as "
+        f"well (ambiguous), or where too little of the scan agrees with the place to rule out that the "
+        f"robot is at none of them (unknown), as after doors and chairs were moved.")
 
 
 def row(trial, learned):
