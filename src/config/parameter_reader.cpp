@@ -13,6 +13,8 @@ namespace {
 // More than any table of parameters has; tables that name others over and over grow beyond it.
 constexpr std::size_t kMostValues = 1000;
 
+constexpr double kFarthest = 100.0;  // that a pose may be from its frame [m]; turns too [rad]
+
 // The word of a text that was meant, by the fewest letters to change.
 std::size_t lettersToChange(const std::string& from, const std::string& to) {
   std::vector<std::size_t> row(to.size() + 1);
@@ -243,6 +245,34 @@ void ParameterReader::texts(const std::string& name,
       return;
     }
     given.push_back(item.Scalar());
+  }
+  value = given;
+}
+
+void ParameterReader::poses(const std::string& name, std::size_t most,
+                            std::vector<core::Pose2d>& value) {
+  const Entry* entry = find(name);
+  if (entry == nullptr) return;
+  if (!entry->value.IsSequence() || entry->value.size() > most) {
+    complain(name, *entry,
+             "must be a list of up to " + std::to_string(most) + " poses [x, y, yaw]");
+    return;
+  }
+  std::vector<core::Pose2d> given;
+  for (const YAML::Node& item : entry->value) {
+    std::vector<double> numbers;
+    if (item.IsSequence()) {
+      for (const YAML::Node& part : item) {
+        const std::optional<double> number = numberOf(part);
+        if (number && std::abs(*number) <= kFarthest) numbers.push_back(*number);
+      }
+    }
+    if (numbers.size() != 3 || item.size() != 3) {
+      complain(name, {item, entry->source},
+               "each must be [x, y, yaw], of three numbers [m, m, rad]");
+      return;
+    }
+    given.push_back({numbers[0], numbers[1], numbers[2]});
   }
   value = given;
 }
