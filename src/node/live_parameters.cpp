@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include "config/load_parameters.h"
@@ -29,6 +30,13 @@ PlacesConfig placesConfig(const config::Parameters& parameters) {
   return config;
 }
 
+SonarConfig sonarConfig(const config::Parameters& parameters) {
+  SonarConfig config = SonarConfig::__getDefault__();
+  config.top_is_no_echo = parameters.no_echo.top;
+  config.zero_is_no_echo = parameters.no_echo.zero;
+  return config;
+}
+
 /// By the parser that reads them at a start. Throws config::ParameterError.
 config::Parameters parse(const std::string& table, const YAML::Node& values) {
   YAML::Node all;
@@ -50,9 +58,11 @@ LiveParameters::LiveParameters(const ros::NodeHandle& private_names,
     : now_(at_start),
       changed_(std::move(changed)),
       match_(mutex_, ros::NodeHandle(private_names, "match")),
-      places_(mutex_, ros::NodeHandle(private_names, "places")) {
+      places_(mutex_, ros::NodeHandle(private_names, "places")),
+      sonar_(mutex_, ros::NodeHandle(private_names, "sonar")) {
   serve(match_, matchConfig(now_), [this](MatchConfig& wanted) { onMatch(wanted); });
   serve(places_, placesConfig(now_), [this](PlacesConfig& wanted) { onPlaces(wanted); });
+  serve(sonar_, sonarConfig(now_), [this](SonarConfig& wanted) { onSonar(wanted); });
 }
 
 void LiveParameters::onMatch(MatchConfig& wanted) {
@@ -70,6 +80,12 @@ void LiveParameters::onMatch(MatchConfig& wanted) {
     options.position_window = parsed.position_window;
     options.heading_window = parsed.heading_window;
     options.confidence = parsed.confidence;
+    if (now_.heading_topic.empty() &&
+        options.heading_window != now_.match.recognizer.heading_window) {
+      throw std::invalid_argument(
+          "match/heading_window: must stay pi where heading_topic is empty: nothing says how far "
+          "odometry's yaw is off");
+    }
     changed_(parameters);
     now_ = parameters;
   } catch (const std::exception& error) {
@@ -92,6 +108,12 @@ void LiveParameters::onPlaces(PlacesConfig& wanted) {
     ROS_ERROR("places stay as they were: %s", error.what());
     wanted = before;
   }
+}
+
+void LiveParameters::onSonar(SonarConfig& wanted) {
+  now_.no_echo.top = wanted.top_is_no_echo;
+  now_.no_echo.zero = wanted.zero_is_no_echo;
+  changed_(now_);
 }
 
 }  // namespace place_memory::node

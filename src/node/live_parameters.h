@@ -4,6 +4,7 @@
 #include <dynamic_reconfigure/server.h>
 #include <place_memory/MatchConfig.h>
 #include <place_memory/PlacesConfig.h>
+#include <place_memory/SonarConfig.h>
 #include <ros/node_handle.h>
 
 #include <boost/thread/recursive_mutex.hpp>
@@ -14,7 +15,8 @@
 namespace place_memory::node {
 
 /// Parameters that can change while the node runs: a server of dynamic_reconfigure for each table,
-/// ~match and ~places. They are on the parameter server under the names that they have at a start.
+/// ~match, ~places and ~sonar. They are on the parameter server under the names that they have at a
+/// start.
 ///
 /// What a start would refuse is refused as a whole, with the reason in the log, and all stays as it
 /// was.
@@ -32,12 +34,14 @@ class LiveParameters {
 
   void onMatch(MatchConfig& wanted);
   void onPlaces(PlacesConfig& wanted);
+  void onSonar(SonarConfig& wanted);
 
   config::Parameters now_;
   const Changed changed_;
   boost::recursive_mutex mutex_;
   Server<MatchConfig> match_;
   Server<PlacesConfig> places_;
+  Server<SonarConfig> sonar_;
 };
 
 }  // namespace place_memory::node

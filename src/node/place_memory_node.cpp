@@ -55,6 +55,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       live_parameters_(withQueue(private_names_, queue_), parameters_,
                        [this](const config::Parameters& now) {
                          memory_->setOptions(now.match.recognizer, now.places);
+                         scan_server_.setNoEcho(now.no_echo);
                        }),
       diagnostics_(names_, private_names_),
       services_(private_names_,

@@ -1,9 +1,15 @@
 #include "tools/bag_file.h"
 
+#include <nav_msgs/Odometry.h>
 #include <ros/message_traits.h>
 #include <rosbag/view.h>
 #include <sensor_msgs/Imu.h>
+#include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/MagneticField.h>
+#include <sensor_msgs/PointCloud.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <sensor_msgs/Range.h>
+#include <std_msgs/Float64.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
@@ -28,7 +34,13 @@ std::map<std::string, std::string> definitions() {
     sums[ros::message_traits::datatype(message)] = ros::message_traits::md5sum(message);
   };
   add(sensor_msgs::Range());
+  add(sensor_msgs::PointCloud());
+  add(sensor_msgs::PointCloud2());
+  add(sensor_msgs::LaserScan());
   add(sensor_msgs::Imu());
+  add(sensor_msgs::MagneticField());
+  add(std_msgs::Float64());
+  add(nav_msgs::Odometry());
   add(tf2_msgs::TFMessage());
   return sums;
 }
@@ -41,7 +53,8 @@ std::string seconds(const ros::Time& time) {
 
 void refuseOtherDefinitions(const std::string& path, rosbag::View& view,
                             const config::Parameters& parameters) {
-  std::set<std::string> topics = {"tf", "tf_static", withoutSlash(parameters.heading_topic)};
+  std::set<std::string> topics = {"tf", "tf_static", withoutSlash(parameters.heading_topic),
+                                  withoutSlash(parameters.odom_topic)};
   for (const std::string& topic : parameters.sonar_topics) topics.insert(withoutSlash(topic));
   const std::map<std::string, std::string> sums = definitions();
   for (const rosbag::ConnectionInfo* connection : view.getConnections()) {

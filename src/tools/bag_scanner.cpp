@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "node/base/ros_time.h"
-#include "node/input/range_adapter.h"
+#include "node/input/input_message.h"
 #include "node/input/transform_filter.h"
 #include "tools/bag_file.h"
 
@@ -37,7 +37,7 @@ std::string joined(const std::map<std::string, std::string>& types) {
 }  // namespace
 
 BagScanner::BagScanner(const std::string& path, const config::Parameters& parameters)
-    : parameters_(parameters) {
+    : parameters_(parameters), intake_(parameters, withoutSlash, registry_) {
   openBag(path, bag_);
   requireTopics(path);
   readStaticTransforms();
@@ -50,28 +50,24 @@ void BagScanner::requireTopics(const std::string& path) {
     types[withoutSlash(connection->topic)] = connection->datatype;
     topics_.push_back(connection->topic);
   }
-  const auto require = [&](const std::string& topic, const std::string& type) {
+  for (const auto& [topic, role] : intake_.topics()) {
     const auto found = types.find(withoutSlash(topic));
     if (found == types.end()) {
       throw std::runtime_error("the bag " + path + " has no topic " + topic + "; it has " +
                                joined(types));
     }
-    if (found->second != type) {
-      throw std::runtime_error("in the bag " + path + " the topic " + topic + " holds " +
-                               found->second + ", not " + type);
-    }
-    return found->first;
-  };
-  for (const std::string& topic : parameters_.sonar_topics) {
-    sonar_topics_.push_back(require(topic, "sensor_msgs/Range"));
+    const std::string wrong = node::wrongType(topic, role, found->second);
+    if (!wrong.empty()) throw std::runtime_error("in the bag " + path + " " + wrong);
   }
-  heading_topic_ = require(parameters_.heading_topic, "sensor_msgs/Imu");
-  if (!parameters_.odom_frame.empty()) require(kTf, "tf2_msgs/TFMessage");
+  const bool needs_tf = !parameters_.odom_frame.empty() && parameters_.odom_topic.empty();
+  if (needs_tf && types.count(kTf) == 0) {
+    throw std::runtime_error("the bag " + path + " has no topic " + kTf + "; it has " +
+                             joined(types));
+  }
 
   const auto needless = [&](const std::string& topic) {
     const std::string name = withoutSlash(topic);
-    return name != kTf && name != heading_topic_ &&
-           std::find(sonar_topics_.begin(), sonar_topics_.end(), name) == sonar_topics_.end();
+    return name != kTf && intake_.topics().count(name) == 0;
   };
   topics_.erase(std::remove_if(topics_.begin(), topics_.end(), needless), topics_.end());
 }
@@ -89,14 +85,33 @@ void BagScanner::readStaticTransforms() {
   }
 }
 
-node::ScanOutcome BagScanner::scan(const ros::Time& start, const ros::Time& end) const {
+void BagScanner::take(const node::Taken& taken, std::chrono::nanoseconds end,
+                      std::chrono::nanoseconds received, node::ScanCollector& collector,
+                      tf2::BufferCore& transforms) const {
+  for (const auto& transform : taken.transforms) {
+    const auto problem = node::addTransform(transform, false, received, transforms);
+    if (problem) collector.noteProblem("odometry", *problem);
+  }
+  for (const node::CheckedHeading& heading : taken.headings) {
+    // Without odometry those after the end serve readings that still wait for the next heading.
+    const bool serves = parameters_.odom_frame.empty() && collector.waiting();
+    if (heading.stamp <= end || serves) collector.addHeading(heading, received);
+  }
+  for (const node::AdaptedReading& reading : taken.readings) {
+    if (reading.measurement.stamp <= end) collector.addReading(reading, received);
+  }
+  for (const node::Taken::Problem& problem : taken.problems) {
+    collector.noteProblem(problem.input, problem.sentence);
+  }
+}
+
+node::ScanOutcome BagScanner::scan(const ros::Time& start, const ros::Time& end) {
   const ros::Duration wait(parameters_.scan.tf_timeout);
   tf2::BufferCore transforms(end - start + kLead + kLead);
   for (const auto& transform : static_transforms_) {
     node::addTransform(transform, true, node::toNanoseconds(start), transforms);
   }
-  node::SensorRegistry registry;
-  node::ScanCollector collector(parameters_, transforms, registry);
+  node::ScanCollector collector(parameters_, transforms, registry_);
   collector.begin(node::toNanoseconds(start), parameters_.scan.headings, parameters_.scan.step);
 
   const ros::Time first = start.toSec() > kLead.toSec() ? start - kLead : ros::TIME_MIN;
@@ -111,19 +126,11 @@ node::ScanOutcome BagScanner::scan(const ros::Time& start, const ros::Time& end)
         const auto problem = node::addTransform(transform, false, received, transforms);
         if (problem) collector.noteProblem("tf", *problem);
       }
-    } else if (topic == heading_topic_) {
-      // Without odometry those after the end serve readings that still wait for the next heading.
-      const auto heading = message.instantiate<sensor_msgs::Imu>();
-      const bool serves = parameters_.odom_frame.empty() && collector.waiting();
-      if (!heading || (heading->header.stamp > end && !serves)) continue;
-      collector.addHeading(*heading, received);
     } else {
-      const auto range = message.instantiate<sensor_msgs::Range>();
-      if (!range || range->header.stamp > end) continue;
-      const node::RangeAdapter adapter(message.getTopic(), parameters_.scan.over_range_is_no_echo,
-                                       registry);
-      collector.addReading(adapter.adapt(*range), received);
-      continue;  // what it needs comes later
+      const node::Taken taken =
+          intake_.take(topic, node::readMessage(message), received, transforms);
+      take(taken, node::toNanoseconds(end), received, collector, transforms);
+      if (!taken.readings.empty()) continue;  // what they need comes later
     }
     collector.process(received);
   }

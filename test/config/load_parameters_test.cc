@@ -204,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"places: {retention: 1}", "must be in [0, 1)"},
         Malformed{"places: {retention: -0.1}", "must be in [0, 1)"},
         Malformed{"base_frame: ''", "must not be empty"},
-        Malformed{"base_frame: /base_link", "must not begin with a slash"},
+        Malformed{"base_frame: /", "must not be empty"},
         Malformed{"odom_frame: base_link", "must not be the same frame"},
         Malformed{"map_frame: 5", "must be a text, not '5'"},
         Malformed{"sonar_topics: sonar", "must be a list of one text or more"},
