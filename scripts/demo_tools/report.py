@@ -1,6 +1,7 @@
 """The table of the demonstration, on the terminal and as CSV."""
 import csv
 import math
+import textwrap
 
 FEET = 1.0 / 0.3048
 
@@ -23,14 +24,15 @@ def heading(methods):
 
 def legend(confidence, equally_near):
     """How the table is to be read, for a memory with that confidence; `equally_near` in metres."""
-    return (
-        f"place: beside which the robot stood, two feet off. right: the match is the place nearest to "
-        f"the robot, or one that is less than {equally_near:.2f} m further off: halfway between two "
-        f"places either is right.\n"
+    sentences = [
+        "place: the one two feet beside which the robot stood.",
+        f"right: the match is the place nearest to the robot, or one that is less than "
+        f"{equally_near:.2f} m further off; halfway between two places either of them is right.",
         f"verdict: recognized where the probability of the match is at least {confidence:g} "
-        f"(match/confidence). A right match is not called recognized where another place fits nearly as "
-        f"well (ambiguous), or where too little of the scan agrees with the place to rule out that the "
-        f"robot is at none of them (unknown), as after doors and chairs were moved.")
+        f"(match/confidence). A right match is ambiguous where another place fits nearly as well, and "
+        f"unknown where so little of the scan agrees with the place, as after doors and chairs were "
+        f"moved, that the robot may be at none of them."]
+    return "\n".join(textwrap.fill(text, 100, subsequent_indent="  ") for text in sentences)
 
 
 def row(trial, learned):

@@ -55,6 +55,24 @@ class LiveReconfigureTest(live_test.LiveTestCase):
         self.wait(lambda: "folded" in self.node.output() or "adapted" in self.node.output(),
                   "the scan to be folded")
 
+    def test_a_word_for_no_echo_holds_from_the_next_message_on(self):
+        self.start_node(match__confidence=0.51, sonar__top_is_no_echo=False)
+        self.assertFalse(self.client("sonar").get_configuration()["top_is_no_echo"])
+        self.client("sonar").update_configuration({"top_is_no_echo": True})
+        self.assertTrue(self.param("sonar/top_is_no_echo"))
+        self.robot.edit_range = lambda sensor, message: (
+            setattr(message, "range", message.max_range) or message)
+        self.scan_well()
+        self.wait(lambda: "sonar/top_is_no_echo" in self.node.output(), "the warning")
+
+    def test_without_a_compass_any_heading_is_sought(self):
+        self.start_node(heading_topic="")
+        match = self.client("match")
+        answer = match.update_configuration({"heading_window": 0.5, "confidence": 0.9})
+        self.assertGreater(answer["heading_window"], 3.14)
+        self.assertEqual(answer["confidence"], 0.82)
+        self.wait(lambda: "heading_topic" in self.node.output(), "the reason")
+
     def test_what_a_start_would_refuse_is_refused_with_the_reason(self):
         self.start_node()
         match, places = self.client("match"), self.client("places")

@@ -22,8 +22,8 @@ constexpr double kLetterWidth = 0.6 * kLabelHeight;
 constexpr std::size_t kCandidates = 10;  // for one label
 // Above the grids, which rviz draws at the height of the frame, so that each stays visible.
 constexpr double kLinkLevel = 0.03;
-constexpr double kLabelLevel = 0.4;
-constexpr float kRegionAlpha = 0.35F;
+constexpr double kLabelLevel = 0.8;  // above the robot too
+constexpr float kRegionAlpha = 0.2F;
 constexpr float kLinkAlpha = 0.9F;
 
 std_msgs::ColorRGBA color(float red, float green, float blue, float alpha) {
