@@ -52,8 +52,8 @@ Result runEvent(Event& event, const core::Scan& scan, core::PlaceMemory& memory)
   return run(event, scan, memory);
 }
 
-Result answer(Event& event, const BagScanner& scanner, const BagTimes& times,
-              core::PlaceMemory& memory, const std::function<void(const std::string&)>& note) {
+Result answer(Event& event, BagScanner& scanner, const BagTimes& times, core::PlaceMemory& memory,
+              const std::function<void(const std::string&)>& note) {
   Result result;
   node::ScanOutcome outcome;
   try {
@@ -80,7 +80,7 @@ void tell(std::size_t number, const Result& result, support::ProgressBar& bar) {
 }
 
 /// Returns how many events failed.
-std::size_t answerAll(std::vector<Event>& events, const BagScanner& scanner, const BagTimes& times,
+std::size_t answerAll(std::vector<Event>& events, BagScanner& scanner, const BagTimes& times,
                       core::PlaceMemory& memory, std::ostream& table) {
   std::size_t failed = 0;
   support::ProgressBar bar(events.size(), "events", std::cerr);
@@ -115,7 +115,7 @@ int process(const Arguments& arguments) {
   if (!arguments.store.empty()) parameters.store = arguments.store;
   const BagTimes times = checkBag(arguments.bag, parameters);
   std::vector<Event> events = loadEvents(arguments, parameters, times.first);
-  const BagScanner scanner = openScanner(arguments.bag, parameters);
+  BagScanner scanner = openScanner(arguments.bag, parameters);
   core::PlaceMemory memory(config::memoryOptions(parameters));
   std::ofstream table = openTable(arguments.out);
   const std::size_t failed = answerAll(events, scanner, times, memory, table);
