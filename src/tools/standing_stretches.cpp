@@ -1,5 +1,6 @@
 #include "tools/standing_stretches.h"
 
+#include <nav_msgs/Odometry.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
@@ -49,14 +50,24 @@ std::vector<Stretch> standingStretches(const std::vector<TrackPoint>& track,
 std::vector<TrackPoint> readTrack(const BagSet& bags, const config::Parameters& parameters) {
   std::vector<TrackPoint> track;
   const std::string odom_frame = withoutSlash(parameters.odom_frame);
+  const auto add = [&](const ros::Time& stamp, double x, double y) {
+    if (std::isfinite(x) && std::isfinite(y)) track.push_back({stamp, x, y});
+  };
+  if (!parameters.odom_topic.empty()) {
+    bags.readAll(withoutSlash(parameters.odom_topic), [&](const TimedMessage& timed) {
+      const auto odometry = timed.trusted ? timed.message->as<nav_msgs::Odometry>() : nullptr;
+      if (!odometry) return;
+      const auto& at = odometry->pose.pose.position;
+      add(odometry->header.stamp, at.x, at.y);
+    });
+  }
   bags.readAll("tf", [&](const TimedMessage& timed) {
     const auto moved = timed.trusted ? timed.message->as<tf2_msgs::TFMessage>() : nullptr;
     if (!moved) return;
     for (const auto& transform : moved->transforms) {
+      if (withoutSlash(transform.header.frame_id) != odom_frame) continue;
       const auto& at = transform.transform.translation;
-      const bool is_finite = std::isfinite(at.x) && std::isfinite(at.y);
-      if (withoutSlash(transform.header.frame_id) != odom_frame || !is_finite) continue;
-      track.push_back({transform.header.stamp, at.x, at.y});
+      add(transform.header.stamp, at.x, at.y);
     }
   });
   if (track.empty()) {
