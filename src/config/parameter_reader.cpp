@@ -13,8 +13,6 @@ namespace {
 // More than any table of parameters has; tables that name others over and over grow beyond it.
 constexpr std::size_t kMostValues = 1000;
 
-constexpr double kFarthest = 100.0;  // that a pose may be from its frame [m]; turns too [rad]
-
 // The word of a text that was meant, by the fewest letters to change.
 std::size_t lettersToChange(const std::string& from, const std::string& to) {
   std::vector<std::size_t> row(to.size() + 1);
@@ -260,19 +258,12 @@ void ParameterReader::poses(const std::string& name, std::size_t most,
   }
   std::vector<core::Pose2d> given;
   for (const YAML::Node& item : entry->value) {
-    std::vector<double> numbers;
-    if (item.IsSequence()) {
-      for (const YAML::Node& part : item) {
-        const std::optional<double> number = numberOf(part);
-        if (number && std::abs(*number) <= kFarthest) numbers.push_back(*number);
-      }
-    }
-    if (numbers.size() != 3 || item.size() != 3) {
-      complain(name, {item, entry->source},
-               "each must be [x, y, yaw], of three numbers [m, m, rad]");
+    const std::optional<core::Pose2d> pose = poseOf(item);
+    if (!pose) {
+      complain(name, {item, entry->source}, "each must be [x, y, yaw], of numbers up to 100");
       return;
     }
-    given.push_back({numbers[0], numbers[1], numbers[2]});
+    given.push_back(*pose);
   }
   value = given;
 }

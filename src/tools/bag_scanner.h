@@ -2,9 +2,8 @@
 #define PLACE_MEMORY_TOOLS_BAG_SCANNER_H
 
 #include <geometry_msgs/TransformStamped.h>
-#include <rosbag/bag.h>
 
-#include <chrono>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,31 +11,38 @@
 #include "node/input/message_intake.h"
 #include "node/input/sensor_registry.h"
 #include "node/scan/scan_collector.h"
+#include "tools/bag_set.h"
 
 namespace place_memory::tools {
 
-/// Takes scans from a bag with the collector that the node uses.
+/// What came of a scan.
+struct BagScan {
+  node::ScanOutcome outcome;
+  std::string left_out;  ///< how many readings were not used and why, in words; empty: none
+};
+
+/// Takes scans from bags with the collector that the node uses.
 class BagScanner {
  public:
-  /// `parameters` must outlive the scanner. Throws std::runtime_error where the bag cannot be read
-  /// or lacks a topic.
-  BagScanner(const std::string& path, const config::Parameters& parameters);
+  /// Both must outlive the scanner. Throws std::runtime_error where the bags lack a topic or cannot
+  /// be read.
+  BagScanner(const BagSet& bags, const config::Parameters& parameters);
 
-  /// Every usable reading between two times, by its stamp.
-  node::ScanOutcome scan(const ros::Time& start, const ros::Time& end);
+  /// Every usable reading between two times, by its stamp. Throws ros::Exception where a bag is
+  /// damaged there.
+  BagScan scan(const ros::Time& start, const ros::Time& end);
 
  private:
-  void requireTopics(const std::string& path);
+  /// The types of a topic. Throws std::runtime_error where the bags lack it.
+  const std::set<std::string>& require(const std::string& topic) const;
   void readStaticTransforms();
-  void take(const node::Taken& taken, std::chrono::nanoseconds end,
-            std::chrono::nanoseconds received, node::ScanCollector& collector,
-            tf2::BufferCore& transforms) const;
 
+  const BagSet& bags_;
   const config::Parameters& parameters_;
-  rosbag::Bag bag_;
+  // What they find out of the sensors in one scan holds for those after it.
   node::SensorRegistry registry_;
-  node::MessageIntake intake_;       // its topics without their slashes
-  std::vector<std::string> topics_;  // to be read, as the bag names them
+  node::MessageIntake intake_;
+  std::set<std::string> topics_;  // to be read, without their slashes
   std::vector<geometry_msgs::TransformStamped> static_transforms_;
 };
 
