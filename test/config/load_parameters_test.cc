@@ -303,7 +303,7 @@ TEST(LoadParameters, MountsAreAListOfPoses) {
 
 TEST(LoadParameters, WithoutACompassAnyHeadingIsSought) {
   const Parameters p = parse("{heading_topic: '', match: {heading_window: 0.3}}");
-  EXPECT_EQ(p.match.heading_window, core::kPi);
+  EXPECT_EQ(p.match.recognizer.heading_window, core::kPi);
 }
 
 TEST(LoadParameters, WithoutOdometryPlacesHaveNoLocation) {
