@@ -50,7 +50,8 @@ TEST_F(ChangedOptionsTest, AWindowThatIsAskedForHoldsAllTheSame) {
   PlaceMemory memory(options_);
   memory.learn(look(), "a");
   const Scan turned = look({0.0, 0.0, kQuarter});
-  EXPECT_LT(std::abs(memory.recognize(turned, 0.1).recognition.matches[0].place_from_scan.yaw), 0.2);
+  EXPECT_LT(std::abs(memory.recognize(turned, 0.1).recognition.matches[0].place_from_scan.yaw),
+            0.2);
 }
 
 TEST_F(ChangedOptionsTest, PlacesAdaptOnceTheyAreToldTo) {
