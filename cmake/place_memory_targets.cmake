@@ -25,7 +25,7 @@ macro(place_memory_add_ros_target)
   target_include_directories(place_memory_ros SYSTEM INTERFACE
     ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_INCLUDE_DESTINATION} ${catkin_INCLUDE_DIRS})
   target_link_libraries(place_memory_ros INTERFACE ${catkin_LIBRARIES})
-  add_dependencies(place_memory_ros ${PROJECT_NAME}_generate_messages_cpp)
+  add_dependencies(place_memory_ros ${PROJECT_NAME}_generate_messages_cpp ${PROJECT_NAME}_gencfg)
 endmacro()
 
 # place_memory_install(<target>...): executables, into lib/place_memory.

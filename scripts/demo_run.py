@@ -27,14 +27,16 @@ from demo_tools.memory import VERDICTS, Memory
 from demo_tools.processes import Process, VirtualDisplay
 from demo_tools.screenshot import Rviz, write_overview_config
 from demo_tools.senses import Compass
-from demo_tools.trial import Answer, Learned, Trial, position_error, right_labels
+from demo_tools.trial import (EQUALLY_NEAR, Answer, Learned, Trial, position_error,
+                              right_labels)
 from demo_tools.waiting import wait_until
 
 OURS, PAPER = "default", "paper"
 NODES = {PAPER: "place_memory_paper", OURS: "place_memory"}
 DISPLAY_SIZE = (1600, 900)  # [pixels]
+POSE_TOPIC = "/place_memory/pose"
 RVIZ_TOPICS = ["/place_memory/scan_grid", "/place_memory/matched_grid",
-               "/place_memory/place_markers", "/place_memory/pose", "/sonar"]
+               "/place_memory/place_markers", POSE_TOPIC, "/sonar"]
 PICTURE_FROM = 9  # trials before the picture of rviz: then the open area is in view
 OUTPUTS = ["map.png", "rviz.png", "grids.png", "results.csv"]
 START_LIMIT = 60.0  # [s]
@@ -119,7 +121,7 @@ def take_overview(options, config, display, check):
             process.check()
 
         rviz = Rviz(display, overview, check_both)
-        rviz.wait_until_it_hears(RVIZ_TOPICS, "/rviz_overview")
+        rviz.wait_until_it_hears(set(RVIZ_TOPICS) - {POSE_TOPIC}, "/rviz_overview")
         rviz.write(os.path.join(options.out, "map.png"))
 
 
@@ -154,6 +156,7 @@ def demonstrate(options, share, display, check):
                         demonstration.trials,
                         "Learned grids and those of the way back (black occupied, white empty, "
                         "grey unsensed); below: the place each method found")
+    say(report.legend(rospy.get_param(f"/{NODES[OURS]}/match/confidence"), EQUALLY_NEAR))
     for method in NODES:
         say(report.total(method, demonstration.trials))
     say(f"{time.monotonic() - started:.0f} s; pictures and results.csv are in {options.out}")

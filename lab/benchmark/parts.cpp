@@ -17,7 +17,7 @@ void onePair(State& state, Setting& setting) {
   const Query& query = *memory.queries(1, false).front();
   const core::SearchWindow window = core::searchWindow(
       setting.parameters().match.recognizer.position_window,
-      setting.parameters().match.heading_window, query.scan.grid.geometry().cell_size);
+      setting.parameters().match.recognizer.heading_window, query.scan.grid.geometry().cell_size);
   const core::LatticeMetric metric = core::onLattice(setting.parameters().match.recognizer.metric,
                                                      window, query.scan.grid.geometry().cell_size);
   const core::QueryPlanes planes(query.scan.grid, core::kHeadingStep, window.rotations);
@@ -34,7 +34,8 @@ void preparation(State& state, Setting& setting, bool any_heading) {
   const SyntheticMemory memory =
       setting.memory(std::min<std::size_t>(47, setting.options().max_places));
   const Query& query = *memory.queries(1, any_heading).front();
-  const double heading = any_heading ? core::kPi : setting.parameters().match.heading_window;
+  const double heading =
+      any_heading ? core::kPi : setting.parameters().match.recognizer.heading_window;
   const core::SearchWindow window =
       core::searchWindow(setting.parameters().match.recognizer.position_window, heading,
                          query.scan.grid.geometry().cell_size);

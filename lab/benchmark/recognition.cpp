@@ -33,7 +33,7 @@ constexpr double kSecondsFull = 2e-6;
 constexpr double kMoreForAnyHeading = 4.0;
 
 double headingWindow(const Setting& setting, bool any_heading) {
-  return any_heading ? core::kPi : setting.parameters().match.heading_window;
+  return any_heading ? core::kPi : setting.parameters().match.recognizer.heading_window;
 }
 
 double share(int part, std::size_t whole) {

@@ -26,9 +26,9 @@ Scores scoresOf(const std::vector<const Query*>& queries,
                 const config::Parameters& parameters) {
   const double cell_size = core::kDefaultCellSize;
   const core::RecognizerOptions& options = parameters.match.recognizer;
-  const core::SearchWindow window =
-      core::searchWindow(options.position_window,
-                         any_heading ? core::kPi : parameters.match.heading_window, cell_size);
+  const core::SearchWindow window = core::searchWindow(
+      options.position_window, any_heading ? core::kPi : parameters.match.recognizer.heading_window,
+      cell_size);
   const core::LatticeMetric metric = core::onLattice(options.metric, window, cell_size);
   Scores scores(queries.size() * strangers.size());
   support::parallelFor(queries.size(), [&](std::size_t q) {

@@ -31,7 +31,7 @@ def mark(answer):
 
 def draw_answers(axes, answers):
     for line, (method, answer) in enumerate(answers.items()):
-        axes.text(0.0, -0.05 - 0.13 * line, f"{method}: {answer.label} {mark(answer)}",
+        axes.text(0.0, -0.05 - 0.13 * line, f"{method}: {answer.label} {mark(answer)} {answer.verdict}",
                   transform=axes.transAxes, va="top", fontsize=10,
                   color=RIGHT if answer.is_right else WRONG)
 

@@ -30,13 +30,13 @@ def wrapped(angle):
 class Driver:
     """Follows a target while there is one; all in the frame world."""
 
-    def __init__(self, check):
+    def __init__(self, check, command_topic="cmd_vel"):
         self._check = check
         self._lock = threading.Lock()
         self._target = None
         self._is_sweeping = False
         self._pose = None
-        self._command = rospy.Publisher("cmd_vel", Twist, queue_size=1)
+        self._command = rospy.Publisher(command_topic, Twist, queue_size=1)
         self._subscriber = rospy.Subscriber("sonar_sim/ground_truth", Odometry, self._on_truth,
                                             queue_size=1)
 

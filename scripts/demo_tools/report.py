@@ -1,6 +1,7 @@
 """The table of the demonstration, on the terminal and as CSV."""
 import csv
 import math
+import textwrap
 
 FEET = 1.0 / 0.3048
 
@@ -10,14 +11,28 @@ def number(value, form):
 
 
 def answer_cells(answer):
-    return (f"{answer.label:>5} {'yes' if answer.is_right else 'NO':>5} "
-            f"{number(answer.error, '{:.2f}'):>7} {answer.match_ms:>7.1f}")
+    return (f"{answer.label:>5} {'yes' if answer.is_right else 'NO':>5} {answer.verdict:>10} "
+            f"{answer.probability:>5.2f} {number(answer.error, '{:.2f}'):>6} {answer.match_ms:>6.1f}")
 
 
 def heading(methods):
-    titles = "".join(f" | {method:^27}" for method in methods)
-    columns = "".join(f" | {'match':>5} {'right':>5} {'err[m]':>7} {'ms':>7}" for _ in methods)
+    titles = "".join(f" | {method:^42}" for method in methods)
+    columns = "".join(f" | {'match':>5} {'right':>5} {'verdict':>10} {'prob.':>5} {'err[m]':>6} "
+                      f"{'ms':>6}" for _ in methods)
     return f"{'':>5} {'compass':>8}{titles}\n{'place':>5} {'deg':>8}{columns}"
+
+
+def legend(confidence, equally_near):
+    """How the table is to be read, for a memory with that confidence; `equally_near` in metres."""
+    sentences = [
+        "place: the one two feet beside which the robot stood.",
+        f"right: the match is the place nearest to the robot, or one that is less than "
+        f"{equally_near:.2f} m further off; halfway between two places either of them is right.",
+        f"verdict: recognized where the probability of the match is at least {confidence:g} "
+        f"(match/confidence). A right match is ambiguous where another place fits nearly as well, and "
+        f"unknown where so little of the scan agrees with the place, as after doors and chairs were "
+        f"moved, that the robot may be at none of them."]
+    return "\n".join(textwrap.fill(text, 100, subsequent_indent="  ") for text in sentences)
 
 
 def row(trial, learned):

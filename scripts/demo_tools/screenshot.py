@@ -94,6 +94,9 @@ def write_overview_config(path, source, focus, scale, height):
         config = yaml.safe_load(file)
     view = config["Visualization Manager"]["Views"]["Current"]
     view.update({"Target Frame": "map", "X": focus[0], "Y": focus[1], "Scale": scale})
+    displays = config["Visualization Manager"]["Displays"]
+    # Before the first pose comes rviz draws one at the origin.
+    displays[:] = [display for display in displays if display["Class"] != "rviz/PoseWithCovariance"]
     config["Window Geometry"]["Height"] = height
     config["Panels"] = []
     with open(path, "w", encoding="utf-8") as file:

@@ -2,6 +2,8 @@
 
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/console.h>
+#include <ros/names.h>
+#include <ros/network.h>
 
 #include <utility>
 
@@ -28,6 +30,13 @@ ros::NodeHandle withQueue(const ros::NodeHandle& names, ros::CallbackQueueInterf
   return with_queue;
 }
 
+/// By which robots are told apart on /diagnostics: the namespace of the node, where it has one, or
+/// the machine.
+std::string robotName(const std::string& node_name) {
+  const std::string names = ros::names::parentNamespace(node_name);
+  return names.empty() || names == "/" ? ros::network::getHost() : names.substr(1);
+}
+
 }  // namespace
 
 PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
@@ -43,6 +52,11 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       map_publisher_(private_names_, *memory_, parameters_, [this] { return locateRobot(); }),
       map_frame_broadcaster_(names_, *memory_, parameters_),
       scan_server_(names_, private_names_, parameters_, buffer_, transforms_, scanCallbacks()),
+      live_parameters_(withQueue(private_names_, queue_), parameters_,
+                       [this](const config::Parameters& now) {
+                         memory_->setOptions(now.match.recognizer, now.places);
+                         scan_server_.setNoEcho(now.no_echo);
+                       }),
       diagnostics_(names_, private_names_),
       services_(private_names_,
                 {*memory_, answer_publisher_, scans_, parameters_, store_problem_}) {
@@ -52,7 +66,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
 
 void PlaceMemoryNode::setUpDiagnostics() {
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
-  diagnostics_.setHardwareID("none");
+  diagnostics_.setHardwareID(robotName(private_names_.getNamespace()));
   diagnostics_.add("memory", [this](Status& status) {
     diagnoseMemory(memory_->size(), memory_->storeHealth(), parameters_.store, store_problem_,
                    status);

@@ -17,6 +17,7 @@
 #include "node/answer/place_services.h"
 #include "node/base/guarded_queue.h"
 #include "node/input/transform_input.h"
+#include "node/live_parameters.h"
 #include "node/map/map_frame_broadcaster.h"
 #include "node/map/map_publisher.h"
 #include "node/scan/scan_server.h"
@@ -63,6 +64,7 @@ class PlaceMemoryNode {
   MapPublisher map_publisher_;
   MapFrameBroadcaster map_frame_broadcaster_;
   ScanServer scan_server_;
+  LiveParameters live_parameters_;
   diagnostic_updater::Updater diagnostics_;
   ros::SteadyTimer diagnostics_timer_;
   ros::SteadyTimer health_timer_;

@@ -6,6 +6,7 @@
 #include "place_memory/core/pose2d.h"
 #include "sim/robot/simulation.h"
 #include "sim/world/world.h"
+#include "sim_node/robot_driver.h"
 
 namespace place_memory::sim_node {
 
@@ -16,6 +17,7 @@ struct SimParameters {
   double sonar_period = 0.4;  ///< [s]
   double speed = 1.0;         ///< simulated time over real time
   sim::SimulationOptions options;
+  DriverOptions driver;
 };
 
 /// Reads the private parameters. Throws config::ParameterError with all that is wrong with them,

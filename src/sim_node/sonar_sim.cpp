@@ -4,8 +4,6 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
 #include <rosgraph_msgs/Clock.h>
-#include <sensor_msgs/Imu.h>
-#include <sensor_msgs/Range.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,8 +52,6 @@ nav_msgs::Odometry toOdometry(const std_msgs::Header& header, const core::Pose2d
   return message;
 }
 
-std::string sonarFrame(std::size_t index) { return "sonar_" + std::to_string(index); }
-
 template <class Response>
 void answer(sim::ChangeResult result, const std::string& name, Response& response) {
   switch (result) {
@@ -82,7 +78,8 @@ SonarSim::SonarSim(const ros::NodeHandle& names, const ros::NodeHandle& private_
       private_names_(private_names),
       parameters_(parameters),
       simulated_time_(simulated_time),
-      simulation_(parameters.world, parameters.start, parameters.options) {
+      simulation_(parameters.world, parameters.start, parameters.options),
+      driver_(names, parameters.driver, kBaseFrame) {
   const core::Pose2d& start = parameters.start;
   if (!simulation_.scene().isFree({start.x, start.y}, parameters.options.base_radius)) {
     throw std::invalid_argument("start: the robot would stand on something there");
@@ -97,13 +94,12 @@ SonarSim::SonarSim(const ros::NodeHandle& names, const ros::NodeHandle& private_
 
 void SonarSim::advertise() {
   if (simulated_time_) clock_ = names_.advertise<rosgraph_msgs::Clock>("/clock", kQueueLength);
-  sonar_ = names_.advertise<sensor_msgs::Range>("sonar", kQueueLength);
-  heading_ = names_.advertise<sensor_msgs::Imu>("heading", kQueueLength);
-  odometry_ = names_.advertise<nav_msgs::Odometry>("odom", kQueueLength);
+  odometry_ = names_.advertise<nav_msgs::Odometry>(parameters_.driver.odom_topic, kQueueLength);
   ground_truth_ = private_names_.advertise<nav_msgs::Odometry>("ground_truth", kQueueLength);
   world_ = private_names_.advertise<visualization_msgs::MarkerArray>("world", 1, true);
   people_ = private_names_.advertise<visualization_msgs::Marker>("people", 1);
-  command_subscriber_ = names_.subscribe("cmd_vel", 1, &SonarSim::onCommand, this);
+  command_subscriber_ =
+      names_.subscribe(parameters_.driver.command_topic, 1, &SonarSim::onCommand, this);
   services_.push_back(private_names_.advertiseService("set_door", &SonarSim::onSetDoor, this));
   services_.push_back(private_names_.advertiseService("move_chair", &SonarSim::onMoveChair, this));
 }
@@ -112,11 +108,9 @@ void SonarSim::publishStaticTransforms() {
   std::vector<geometry_msgs::TransformStamped> transforms;
   transforms.push_back(
       toTransform(node::makeHeader(kWorldFrame, now_), kMapFrame, parameters_.start));
-  const sim::SensorRing& ring = parameters_.options.robot.ring;
-  for (int i = 0; i < ring.count; ++i) {
-    transforms.push_back(toTransform(node::makeHeader(kBaseFrame, now_),
-                                     sonarFrame(static_cast<std::size_t>(i)),
-                                     sim::sensorPose(ring, i), kSonarHeight));
+  for (const auto& [frame, mount] : driver_.mounts(parameters_.options.robot.ring)) {
+    transforms.push_back(
+        toTransform(node::makeHeader(kBaseFrame, now_), frame, mount, kSonarHeight));
   }
   static_transforms_.sendTransform(transforms);
 }
@@ -146,45 +140,21 @@ void SonarSim::step() {
     clock_.publish(clock);
   }
   publishBase();
-  publishHeading();
+  driver_.publishHeading(simulation_, parameters_.options.compass_sigma, now_);
   if (now_ < next_ranges_) return;
   next_ranges_ = now_ + ros::Duration(parameters_.sonar_period - 0.5 * kStep);
-  publishRanges();
+  driver_.publishRanges(simulation_, now_);
   people_.publish(toMarker(simulation_.people(), kWorldFrame));
 }
 
 void SonarSim::publishBase() {
   const sim::SimulatedBase& base = simulation_.base();
   const std_msgs::Header header = node::makeHeader(kOdomFrame, now_);
-  transforms_.sendTransform(toTransform(header, kBaseFrame, base.odometry()));
+  if (parameters_.driver.odom_transform) {
+    transforms_.sendTransform(toTransform(header, kBaseFrame, base.odometry()));
+  }
   odometry_.publish(toOdometry(header, base.odometry(), command_));
   ground_truth_.publish(toOdometry(node::makeHeader(kWorldFrame, now_), base.truth(), command_));
-}
-
-void SonarSim::publishHeading() {
-  sensor_msgs::Imu message;
-  message.header = node::makeHeader(kBaseFrame, now_);
-  message.orientation = node::toPose({0.0, 0.0, simulation_.compassHeading()}).orientation;
-  const double sigma = parameters_.options.compass_sigma;
-  message.orientation_covariance[8] = sigma * sigma;
-  message.angular_velocity_covariance[0] = -1.0;     // not measured
-  message.linear_acceleration_covariance[0] = -1.0;  // not measured
-  heading_.publish(message);
-}
-
-void SonarSim::publishRanges() {
-  const core::SonarSpec& spec = parameters_.options.robot.ring.spec;
-  const std::vector<double> ranges = simulation_.fire();
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
-    sensor_msgs::Range message;
-    message.header = node::makeHeader(sonarFrame(i), now_);
-    message.radiation_type = sensor_msgs::Range::ULTRASOUND;
-    message.field_of_view = static_cast<float>(spec.field_of_view);
-    message.min_range = static_cast<float>(spec.min_range);
-    message.max_range = static_cast<float>(spec.max_range);
-    message.range = static_cast<float>(ranges[i]);
-    sonar_.publish(message);
-  }
 }
 
 void SonarSim::onCommand(const geometry_msgs::Twist& command) {

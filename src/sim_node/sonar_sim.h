@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sim/robot/simulation.h"
+#include "sim_node/robot_driver.h"
 #include "sim_node/sim_parameters.h"
 
 namespace place_memory::sim_node {
@@ -34,8 +35,6 @@ class SonarSim {
   void publishWorld();
   void step();
   void publishBase();
-  void publishHeading();
-  void publishRanges();
   void onCommand(const geometry_msgs::Twist& command);
   bool onSetDoor(SetDoor::Request& request, SetDoor::Response& response);
   bool onMoveChair(MoveChair::Request& request, MoveChair::Response& response);
@@ -45,6 +44,7 @@ class SonarSim {
   const SimParameters parameters_;
   const bool simulated_time_;
   sim::Simulation simulation_;
+  const RobotDriver driver_;
 
   ros::Time now_;
   ros::Time next_ranges_;
@@ -52,8 +52,6 @@ class SonarSim {
   ros::Time commanded_;
 
   ros::Publisher clock_;
-  ros::Publisher sonar_;
-  ros::Publisher heading_;
   ros::Publisher odometry_;
   ros::Publisher ground_truth_;
   ros::Publisher world_;

@@ -48,6 +48,18 @@ class LiveDiagnosticsTest(live_test.LiveTestCase):
         self.learn("hall", sonar_room.HALL)
         self.wait_for("memory", DiagnosticStatus.OK, "1 place")
 
+    def test_values_are_numbers_and_the_robot_is_named(self):
+        self.start_node()
+        self.wait_for("sensors", DiagnosticStatus.OK, "16 sensors")
+        self.wait_for("compass", DiagnosticStatus.OK, "Hz")
+        for part in ("sensors", "compass", "transforms"):
+            status = self.diagnostics.statuses[part]
+            self.assertEqual(status.hardware_id, self.node.name.strip("/").split("/")[0])
+            units = [pair for pair in status.values if "[" in pair.key]
+            self.assertTrue(units, part)
+            for pair in units:
+                float(pair.value)
+
     def test_before_a_reading_came_there_is_a_warning(self):
         self.start_node()
         self.robot.edit_range = lambda sensor, message: None

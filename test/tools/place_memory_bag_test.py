@@ -12,11 +12,15 @@ import sys
 import tempfile
 import unittest
 
+from geometry_msgs.msg import Point32
+from nav_msgs.msg import Odometry
 import rosbag
+from sensor_msgs.msg import PointCloud
 
 TOOL = sys.argv.pop(1)
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "rostest"))
 from room_bag import RoomBag  # noqa: E402
+import sonar_room  # noqa: E402
 
 START = 1000.0
 HEADER = "start,end,action,label,heading_window\n"
@@ -131,6 +135,53 @@ class BagToolTest(unittest.TestCase):
         os.remove(self.out)
         answer = self.run_tool("--bag", self.bag, "--out", self.out, "--params", parameters)
         self.assert_refused(answer, "no tf from the frame world")
+
+    # --- what topics carry ---
+
+    def as_pioneer(self, path):
+        """The same bag as a Pioneer's driver has it: a cloud of points in the robot's frame, those
+        without an echo at max_range, odometry on a topic, no compass and no tf."""
+        with rosbag.Bag(self.bag) as rooms, rosbag.Bag(path, "w") as pioneer:
+            for topic, message, stamp in rooms.read_messages(topics=["/sonar", "/tf"]):
+                if topic == "/tf":
+                    for moved in message.transforms:
+                        odometry = Odometry(header=moved.header, child_frame_id="base_link")
+                        odometry.pose.pose.position.x = moved.transform.translation.x
+                        odometry.pose.pose.position.y = moved.transform.translation.y
+                        odometry.pose.pose.orientation = moved.transform.rotation
+                        pioneer.write("/pose", odometry, stamp)
+                    continue
+                sensor = int(message.header.frame_id.split("_")[1])
+                if sensor == 0:
+                    cloud = PointCloud(header=message.header)
+                    cloud.header.frame_id = "/base_link"
+                distance = min(message.range, message.max_range)
+                x, y, _ = sonar_room.compose(sonar_room.sensor_pose(sensor), (distance, 0.0, 0.0))
+                cloud.points.append(Point32(x, y, 0.0))
+                if len(cloud.points) == sonar_room.SENSORS:
+                    pioneer.write("/cloud", cloud, stamp)
+        return path
+
+    def test_a_bag_of_clouds_without_a_compass(self):
+        bag = self.as_pioneer(self.path("pioneer.bag"))
+        parameters = self.write("my.yaml", """
+sonar_topics: [cloud]
+heading_topic: ""
+odom_topic: pose
+cloud: {max_range: 6.0, field_of_view: 0.436}
+""")
+        events = "".join(event.row() for event in self.rooms.events)
+        answer = self.run_events(HEADER + events, "--params", parameters, bag=bag)
+        self.assertEqual(answer.returncode, ALL, answer.stderr)
+        right = [row["place"] == event.label and row["verdict"] == "recognized"
+                 for row, event in zip(self.rows(), self.rooms.events)
+                 if event.action == "recognize"]
+        self.assertGreaterEqual(sum(right), 4, self.rows())
+
+    def test_a_topic_of_a_wrong_type_is_named(self):
+        parameters = self.write("my.yaml", "{sonar_topics: [heading], heading_topic: sonar}")
+        answer = self.run_tool("--bag", self.bag, "--out", self.out, "--params", parameters)
+        self.assert_refused(answer, "sensor_msgs/", "needed is")
 
     # --- tables and parameters ---
 

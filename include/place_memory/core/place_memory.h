@@ -118,11 +118,18 @@ class PLACE_MEMORY_PUBLIC PlaceMemory {
   /// place once, and never into the one that was learned from it; the place's location stays.
   ///
   /// `heading_window` is how far the compass may be off, in [0, pi] [rad]; pi stands for any
-  /// heading. `cancelled`, where given, is polled between blocks of places; once it returns true
-  /// the call throws std::runtime_error. Throws std::invalid_argument where the window is out of
-  /// range, and PlaceMemoryError (kWrongCells, kInvalidScan).
-  Answer recognize(const Scan& scan, double heading_window,
+  /// heading, and none for RecognizerOptions::heading_window. `cancelled`, where given, is polled
+  /// between blocks of places; once it returns true the call throws std::runtime_error. Throws
+  /// std::invalid_argument where the window is out of range, and PlaceMemoryError (kWrongCells,
+  /// kInvalidScan).
+  Answer recognize(const Scan& scan, std::optional<double> heading_window,
                    const std::function<bool()>& cancelled = nullptr);
+
+  /// Scans are recognized, and folded into places, by these options from the next call of
+  /// recognize() on; one that is under way keeps those it began with. Whether odometry locates
+  /// places stays as it was at the start. Throws std::invalid_argument naming an option out of
+  /// range, and then all stays as it is.
+  void setOptions(const RecognizerOptions& recognizer, const AdaptationOptions& adaptation);
 
   /// Throws PlaceMemoryError.
   void rename(const std::string& label, const std::string& new_label);

@@ -6,6 +6,7 @@
 
 #include "place_memory/core/calibration.h"
 #include "place_memory/core/match_metric.h"
+#include "place_memory/core/pose2d.h"
 #include "place_memory/core/rescoring_weights.h"
 #include "place_memory/core/search_method.h"
 
@@ -20,7 +21,9 @@ struct RecognizerOptions {
   std::optional<RescoringWeights> rescoring;  ///< of the foremost places; none: the search's order
   Calibration calibration;
   double position_window = 1.2;  ///< largest shift sought along x and along y [m], > 0
-  double confidence = 0.82;      ///< probability from which a place is RECOGNIZED, in (0.5, 1)
+  /// How far the compass may be off where a question does not say [rad], in [0, pi].
+  double heading_window = kPi / 4.0;
+  double confidence = 0.82;  ///< probability from which a place is RECOGNIZED, in (0.5, 1)
   /// False: where places lie is not known, as without odometry, and says nothing of which of them
   /// put the robot at the same spot.
   bool located = true;

@@ -38,11 +38,29 @@ const Place& findPlace(const PlaceMap& map, const std::string& label) {
 PlaceMemory::Impl::Impl(const PlaceMemoryOptions& options, PlaceStore store)
     : cell_size_(options.cell_size),
       located_(options.recognizer.located),
-      recognizer_(options.recognizer),
-      adaptation_(checked(options.adaptation)),
       sonar_(options.sonar),
+      tuning_(tuningOf(options.recognizer, options.adaptation)),
       state_(store, located_),
       writer_(std::move(store), state_, options.clock ? options.clock : systemTime) {}
+
+PlaceMemory::Impl::Tuning PlaceMemory::Impl::tuningOf(const RecognizerOptions& recognizer,
+                                                      const AdaptationOptions& adaptation) {
+  return {recognizer, std::make_shared<const Recognizer>(recognizer), checked(adaptation)};
+}
+
+PlaceMemory::Impl::Tuning PlaceMemory::Impl::tuning() const {
+  const std::lock_guard<std::mutex> lock(tuning_mutex_);
+  return tuning_;
+}
+
+void PlaceMemory::Impl::setOptions(const RecognizerOptions& recognizer,
+                                   const AdaptationOptions& adaptation) {
+  RecognizerOptions options = recognizer;
+  options.located = located_;
+  Tuning tuned = tuningOf(options, adaptation);
+  const std::lock_guard<std::mutex> lock(tuning_mutex_);
+  tuning_ = std::move(tuned);
+}
 
 void PlaceMemory::Impl::rename(const std::string& label, const std::string& new_label) {
   queue_.run([&] {
@@ -89,9 +107,14 @@ PlaceMemory::Learned PlaceMemory::learn(const Scan& scan, const std::string& lab
   return impl_->learn(scan, label);
 }
 
-PlaceMemory::Answer PlaceMemory::recognize(const Scan& scan, double heading_window,
+PlaceMemory::Answer PlaceMemory::recognize(const Scan& scan, std::optional<double> heading_window,
                                            const std::function<bool()>& cancelled) {
   return impl_->recognize(scan, heading_window, cancelled);
+}
+
+void PlaceMemory::setOptions(const RecognizerOptions& recognizer,
+                             const AdaptationOptions& adaptation) {
+  impl_->setOptions(recognizer, adaptation);
 }
 
 void PlaceMemory::rename(const std::string& label, const std::string& new_label) {

@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_CORE_MEMORY_PLACE_MEMORY_IMPL_H
 
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -25,7 +26,9 @@ class PlaceMemory::Impl {
   Impl(const PlaceMemoryOptions& options, PlaceStore store);
 
   Learned learn(const Scan& scan, const std::string& label);
-  Answer recognize(const Scan& scan, double heading_window, const std::function<bool()>& cancelled);
+  Answer recognize(const Scan& scan, std::optional<double> heading_window,
+                   const std::function<bool()>& cancelled);
+  void setOptions(const RecognizerOptions& recognizer, const AdaptationOptions& adaptation);
   void rename(const std::string& label, const std::string& new_label);
   void remove(const std::string& label);
   std::size_t clear();
@@ -42,12 +45,20 @@ class PlaceMemory::Impl {
   }
 
  private:
+  /// By what a scan is recognized and folded, as one question finds it.
+  struct Tuning {
+    RecognizerOptions options;
+    std::shared_ptr<const Recognizer> recognizer;  ///< of these options
+    AdaptationOptions adaptation;
+  };
+
   /// With what the map follows an answer.
   struct Following {
     PlaceId place = kNoPlace;  ///< RECOGNIZED
     Settled settled;
     std::chrono::nanoseconds scan_end{0};
     std::optional<EvidenceGrid> sensed;  ///< in the place's frame; none: the place does not adapt
+    double retention = 0.0;              ///< of the old evidence in that place
   };
 
   /// Throws PlaceMemoryError where the scan is not one of this map.
@@ -58,7 +69,10 @@ class PlaceMemory::Impl {
                                   const std::map<PlaceId, PlaceFrame>& frames, Answer& answer);
   /// Whether the map may have to follow; where not, an answer waits for nobody.
   static bool changesMap(const Following& following);
-  std::optional<EvidenceGrid> sensedAt(const Scan& scan, const Recognition& recognition) const;
+  std::optional<EvidenceGrid> sensedAt(const Scan& scan, const Recognition& recognition,
+                                       const AdaptationOptions& adaptation) const;
+  static Tuning tuningOf(const RecognizerOptions& recognizer, const AdaptationOptions& adaptation);
+  Tuning tuning() const;
 
   // For works of the queue.
   Learned learnNow(const Scan& scan, const std::string& label, std::uint64_t question);
@@ -69,9 +83,10 @@ class PlaceMemory::Impl {
 
   const double cell_size_;
   const bool located_;
-  const Recognizer recognizer_;
-  const AdaptationOptions adaptation_;
   const SonarModel sonar_;
+
+  mutable std::mutex tuning_mutex_;
+  Tuning tuning_;
 
   MemoryState state_;
 

@@ -46,9 +46,12 @@ void moveWith(const SessionJoin& join, Recognition& recognition) {
 
 }  // namespace
 
-PlaceMemory::Answer PlaceMemory::Impl::recognize(const Scan& scan, double heading_window,
+PlaceMemory::Answer PlaceMemory::Impl::recognize(const Scan& scan,
+                                                 std::optional<double> heading_window,
                                                  const std::function<bool()>& cancelled) {
   check(scan);
+  const Tuning tuned = tuning();
+  const double window = heading_window.value_or(tuned.options.heading_window);
   std::uint64_t question = 0;
   for (;;) {
     PlaceIndex snapshot;
@@ -65,13 +68,14 @@ PlaceMemory::Answer PlaceMemory::Impl::recognize(const Scan& scan, double headin
       }
       return frames;
     };
-    auto found = recognizer_.recognize(scan, snapshot, look_up, heading_window, cancelled);
+    auto found = tuned.recognizer->recognize(scan, snapshot, look_up, window, cancelled);
     if (!found) continue;
     Answer answer;
     answer.recognition = std::move(*found);
     std::optional<Following> following = settle(scan, question, looked_up, answer);
     if (!following) continue;
-    following->sensed = sensedAt(scan, answer.recognition);
+    following->sensed = sensedAt(scan, answer.recognition, tuned.adaptation);
+    following->retention = tuned.adaptation.retention;
     if (changesMap(*following)) {
       try {
         queue_.run([&] { follow(*following, answer); });
@@ -121,8 +125,9 @@ std::optional<PlaceMemory::Impl::Following> PlaceMemory::Impl::settle(
 }
 
 std::optional<EvidenceGrid> PlaceMemory::Impl::sensedAt(const Scan& scan,
-                                                        const Recognition& recognition) const {
-  if (!adaptation_.enabled || recognition.verdict != Verdict::kRecognized) return std::nullopt;
+                                                        const Recognition& recognition,
+                                                        const AdaptationOptions& adaptation) const {
+  if (!adaptation.enabled || recognition.verdict != Verdict::kRecognized) return std::nullopt;
   return sonar_.build(movedReadings(scan.readings, recognition.matches.front().place_from_scan),
                       GridGeometry{cell_size_});
 }
@@ -168,7 +173,7 @@ bool PlaceMemory::Impl::fold(const Following& following, std::vector<MapEdit>& e
   }
   const auto grid = std::make_shared<EvidenceGrid>(
       writer_.query([&](PlaceStore& store) { return store.grid(following.place); }));
-  fuse(*following.sensed, adaptation_.retention, *grid);
+  fuse(*following.sensed, following.retention, *grid);
   edits.emplace_back(GridAdapted{following.place, grid});
   return true;
 }

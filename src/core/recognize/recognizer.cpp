@@ -17,6 +17,11 @@ void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
 }
 
+void requireWindow(double heading_window) {
+  require(heading_window >= 0.0 && heading_window <= kPi + 1e-6,
+          "heading_window must lie in [0, pi]");
+}
+
 bool sensedNothing(const EvidenceGrid& grid) {
   return std::all_of(grid.cells().begin(), grid.cells().end(),
                      [](std::int8_t evidence) { return evidence == 0; });
@@ -46,6 +51,7 @@ void locate(const Scan& scan, const Pose2d& map_from_place, const PoseEstimate& 
 Recognizer::Recognizer(const RecognizerOptions& options) : options_(options) {
   require(options.position_window > 0.0 && std::isfinite(options.position_window),
           "position_window must be above 0 m");
+  requireWindow(options.heading_window);
   for (const auto& row : options.metric.weights) {
     for (const double weight : row) require(std::isfinite(weight), "weights must be finite");
   }
@@ -61,8 +67,7 @@ std::optional<Recognition> Recognizer::recognize(const Scan& scan, const PlaceIn
                                                  const LookUpFrames& look_up_frames,
                                                  double heading_window,
                                                  const std::function<bool()>& cancelled) const {
-  require(heading_window >= 0.0 && heading_window <= kPi + 1e-6,
-          "heading_window must lie in [0, pi]");
+  requireWindow(heading_window);
   const ScanQuery query(scan.grid, options_, heading_window);
   const std::vector<PlaceAlignment> found = query.alignAll(places, cancelled, *pool_);
   if (found.empty()) return Recognition{};

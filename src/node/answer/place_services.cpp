@@ -118,9 +118,7 @@ void PlaceServices::learn(const LearnPlace::Request& request, LearnPlace::Respon
 
 void PlaceServices::recognize(const RecognizePlace::Request& request,
                               RecognizePlace::Response& response) {
-  const double asked = request.heading_window == 0.0 ? context_.parameters.match.heading_window
-                                                     : request.heading_window;
-  const double window = std::min(asked, core::kPi);
+  const double asked = request.heading_window;
   // Written so that NaN fails.
   if (!(asked >= 0.0 && asked <= core::kPi + kPiTolerance)) {
     response.status = RecognizePlace::Response::INVALID_WINDOW;
@@ -130,10 +128,11 @@ void PlaceServices::recognize(const RecognizePlace::Request& request,
   const std::shared_ptr<const core::Scan> scan =
       takeScan(context_.scans, request.scan_id, response);
   if (!scan) return;
-  match(*scan, window, response);
+  match(*scan, asked == 0.0 ? std::nullopt : std::optional<double>(std::min(asked, core::kPi)),
+        response);
 }
 
-void PlaceServices::match(const core::Scan& scan, double window,
+void PlaceServices::match(const core::Scan& scan, std::optional<double> window,
                           RecognizePlace::Response& response) {
   const auto is_cancelled = [this] { return cancelled_ || !ros::ok(); };
   const auto start = std::chrono::steady_clock::now();
@@ -144,6 +143,11 @@ void PlaceServices::match(const core::Scan& scan, double window,
         toMessage(answer, makeHeader(context_.parameters.map_frame, toRosTime(scan.end)),
                   ros::Duration(duration.count()));
     response.message = inWords(answer);
+    // Nobody else says how far odometry's yaw is off.
+    if (context_.parameters.heading_topic.empty()) {
+      response.message += window == core::kPi ? "; without a compass any heading was tried"
+                                              : "; headings near odometry's yaw were tried";
+    }
     context_.publisher.publish(scan, answer, response.recognition);
     ROS_INFO("Scan %lu: %s", static_cast<unsigned long>(scan.id), response.message.c_str());
   } catch (const std::exception& error) {

@@ -13,6 +13,7 @@
 #include <ros/spinner.h>
 
 #include <atomic>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,7 +53,9 @@ class PlaceServices {
 
   void learn(const LearnPlace::Request& request, LearnPlace::Response& response);
   void recognize(const RecognizePlace::Request& request, RecognizePlace::Response& response);
-  void match(const core::Scan& scan, double window, RecognizePlace::Response& response);
+  /// `window` as PlaceMemory::recognize() takes it.
+  void match(const core::Scan& scan, std::optional<double> window,
+             RecognizePlace::Response& response);
   void list(const ListPlaces::Request& request, ListPlaces::Response& response);
   void getGraph(const GetGraph::Request& request, GetGraph::Response& response);
   void rename(const RenamePlace::Request& request, RenamePlace::Response& response);

@@ -18,10 +18,12 @@ constexpr double kRegionDiameter = 5.0 * 0.3048;  // [m]
 constexpr double kRegionHeight = 0.02;
 constexpr double kLinkWidth = 0.06;
 constexpr double kLabelHeight = 0.5;
+constexpr double kLetterWidth = 0.6 * kLabelHeight;
+constexpr std::size_t kCandidates = 10;  // for one label
 // Above the grids, which rviz draws at the height of the frame, so that each stays visible.
 constexpr double kLinkLevel = 0.03;
-constexpr double kLabelLevel = 0.4;
-constexpr float kRegionAlpha = 0.35F;
+constexpr double kLabelLevel = 0.8;  // above the robot too
+constexpr float kRegionAlpha = 0.2F;
 constexpr float kLinkAlpha = 0.9F;
 
 std_msgs::ColorRGBA color(float red, float green, float blue, float alpha) {
@@ -111,19 +113,36 @@ Marker makeLinks(const std_msgs::Header& header, const core::MapSnapshot& map) {
   return marker;
 }
 
-std::vector<const core::Place*> nearest(const std::vector<core::Place>& places,
-                                        const core::Pose2d& to, std::size_t count) {
-  std::vector<const core::Place*> found;
-  found.reserve(places.size());
-  for (const core::Place& place : places) found.push_back(&place);
-  if (found.size() <= count) return found;
+/// Whether their texts would be drawn over each other, seen from above with north up.
+bool overlap(const core::Place& a, const core::Place& b) {
+  const double width = 0.5 * kLetterWidth * static_cast<double>(a.label.size() + b.label.size());
+  const core::Pose2d& at = a.map_from_place;
+  const core::Pose2d& other = b.map_from_place;
+  return std::abs(at.x - other.x) < width && std::abs(at.y - other.y) < kLabelHeight;
+}
+
+/// All, where they are no more than `count`; else those nearest to `to` whose texts leave each
+/// other room.
+std::vector<const core::Place*> labelled(const std::vector<core::Place>& places,
+                                         const core::Pose2d& to, std::size_t count) {
+  std::vector<const core::Place*> near;
+  near.reserve(places.size());
+  for (const core::Place& place : places) near.push_back(&place);
+  if (near.size() <= count) return near;
   const auto distance = [&to](const core::Place& place) {
     return std::hypot(place.map_from_place.x - to.x, place.map_from_place.y - to.y);
   };
-  std::nth_element(
-      found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end(),
+  const std::size_t candidates = std::min(near.size(), kCandidates * count);
+  std::partial_sort(
+      near.begin(), near.begin() + static_cast<std::ptrdiff_t>(candidates), near.end(),
       [&](const core::Place* a, const core::Place* b) { return distance(*a) < distance(*b); });
-  found.resize(count);
+  near.resize(candidates);
+  std::vector<const core::Place*> found;
+  for (const core::Place* place : near) {
+    if (found.size() == count) break;
+    const auto covers = [&](const core::Place* other) { return overlap(*place, *other); };
+    if (std::none_of(found.begin(), found.end(), covers)) found.push_back(place);
+  }
   return found;
 }
 
@@ -137,7 +156,7 @@ visualization_msgs::MarkerArray toMarkers(const core::MapSnapshot& map,
   wipe.action = Marker::DELETEALL;
   // rviz reports a list without points as an error.
   if (!map.places.empty()) array.markers.push_back(makeRegions(header, map.places));
-  for (const core::Place* place : nearest(map.places, map_from_robot, labels)) {
+  for (const core::Place* place : labelled(map.places, map_from_robot, labels)) {
     array.markers.push_back(makeLabel(header, *place));
   }
   if (!map.links.empty()) array.markers.push_back(makeLinks(header, map));

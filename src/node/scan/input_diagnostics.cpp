@@ -42,11 +42,15 @@ void summarize(const SensorHealth& sensor, Status& status) {
   }
 }
 
-std::string rate(std::uint32_t messages) {
+/// A number for programs that draw it; its unit stands in the key.
+std::string number(double value) {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1)
-       << static_cast<double>(messages) / static_cast<double>(core::RecentCount::kSeconds) << " Hz";
+  text << std::fixed << std::setprecision(1) << value;
   return text.str();
+}
+
+std::string hertz(std::uint32_t messages) {
+  return number(static_cast<double>(messages) / static_cast<double>(core::RecentCount::kSeconds));
 }
 
 void diagnoseOdometry(const tf2::BufferCore& buffer, const config::Parameters& parameters,
@@ -61,7 +65,7 @@ void diagnoseOdometry(const tf2::BufferCore& buffer, const config::Parameters& p
     return;
   }
   const std::chrono::nanoseconds age = now - stamp;
-  status.add("age of odometry", inSeconds(age));
+  status.add("age of odometry [s]", number(std::chrono::duration<double>(age).count()));
   if (age > toNanoseconds(parameters.scan.heading_timeout)) {
     status.mergeSummary(Level::WARN, "the newest transform from " + way + " is " + inSeconds(age) +
                                          " old: does what publishes odometry still run, and is its "
@@ -77,18 +81,28 @@ void diagnoseSonars(const InputHealth& health, Status& status) {
     status.summary(Level::WARN, "no sensor has sent a reading: is anything published on " +
                                     boost::algorithm::join(health.sonar_topics, ", ") + "?");
   }
+  for (const std::string& sentence : health.wrong_types) {
+    status.mergeSummary(Level::ERROR, sentence);
+  }
   for (const SensorHealth& sensor : health.sensors) {
     summarize(sensor, status);
-    const std::string rejected = inWords(sensor.rejected);
-    status.add(sensor.name, std::to_string(sensor.messages) + " messages in 10 s" +
-                                (rejected.empty() ? "" : ", " + rejected));
+    status.add(sensor.name + " readings [Hz]", hertz(sensor.messages));
+    for (std::size_t i = 0; i < sensor.rejected.size(); ++i) {
+      if (sensor.rejected[i] == 0) continue;
+      status.add(sensor.name + " left out [Hz]: " + toString(static_cast<Reject>(i)),
+                 hertz(sensor.rejected[i]));
+    }
   }
 }
 
 void diagnoseCompass(const InputHealth& health, Status& status) {
   const CompassHealth& compass = health.compass;
   const std::string topic = health.heading_topic;
-  status.summary(Level::OK, "headings at " + rate(compass.messages));
+  if (topic.empty()) {
+    status.summary(Level::OK, "there is none (heading_topic): scans lie by odometry's yaw");
+    return;
+  }
+  status.summary(Level::OK, "headings at " + hertz(compass.messages) + " Hz");
   if (!compass.heard) {
     status.summary(Level::WARN, "no heading has come: is anything published on " + topic +
                                     "? every scan needs one");
@@ -102,8 +116,8 @@ void diagnoseCompass(const InputHealth& health, Status& status) {
                                     " headings of the last 10 s are left out: " + compass.problem);
   }
   status.add("topic", topic);
-  status.add("rate", rate(compass.messages));
-  status.add("left out in 10 s", compass.left_out);
+  status.add("headings [Hz]", hertz(compass.messages));
+  status.add("left out [Hz]", hertz(compass.left_out));
 }
 
 void diagnoseTransforms(const tf2::BufferCore& buffer, const TransformInput::LeftOut& left_out,
@@ -122,7 +136,7 @@ void diagnoseTransforms(const tf2::BufferCore& buffer, const TransformInput::Lef
                                          ": " + adviceOn(Reject::kNoTransform));
   }
   if (left_out.transforms > 0) status.mergeSummary(Level::WARN, left_out.newest);
-  status.add("left out in 10 s", left_out.transforms);
+  status.add("left out [Hz]", hertz(left_out.transforms));
 }
 
 }  // namespace place_memory::node

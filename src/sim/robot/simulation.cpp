@@ -31,6 +31,10 @@ std::vector<double> Simulation::fire() {
   return fireRing(*scene_, crowd_.circles(), base_.truth(), options_.robot, rng_);
 }
 
+std::vector<double> Simulation::sweepLaser(const LaserModel& laser) {
+  return laserRanges(*scene_, crowd_.circles(), base_.truth(), laser, rng_);
+}
+
 double Simulation::compassHeading() const {
   const core::Pose2d& pose = base_.truth();
   return core::wrapAngle(pose.yaw + compass_.errorAt({pose.x, pose.y}));

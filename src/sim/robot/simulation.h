@@ -10,6 +10,7 @@
 #include "sim/scene/crowd.h"
 #include "sim/scene/scene.h"
 #include "sim/senses/compass_field.h"
+#include "sim/senses/laser_model.h"
 #include "sim/senses/simulated_scan.h"
 #include "sim/world/random.h"
 #include "sim/world/world.h"
@@ -41,6 +42,10 @@ class Simulation {
 
   /// One firing of the ring from where the base stands; infinities by REP 117.
   std::vector<double> fire();
+
+  /// One turn of a laser at the base's middle: the range of each ray counter-clockwise from
+  /// straight ahead [m]; infinities by REP 117.
+  std::vector<double> sweepLaser(const LaserModel& laser);
 
   /// The heading that the compass shows: yaw from its east [rad], in [-pi, pi).
   double compassHeading() const;

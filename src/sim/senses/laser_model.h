@@ -20,7 +20,12 @@ struct LaserModel {
   double drop_probability = 0.002;
 };
 
-/// One turn of the laser from `pose` (world), as readings with narrow cones in the scan frame:
+/// One turn of the laser from `pose` (world): the range of each ray counter-clockwise from straight
+/// ahead [m], infinities by REP 117.
+std::vector<double> laserRanges(const Scene& scene, const std::vector<Circle>& people,
+                                const core::Pose2d& pose, const LaserModel& laser, Rng& rng);
+
+/// The same as readings with narrow cones in the scan frame:
 /// origin at `pose`, x axis along compass east, the compass erring by `heading_error` [rad].
 std::vector<core::SonarReading> simulateLaserScan(const Scene& scene,
                                                   const std::vector<Circle>& people,

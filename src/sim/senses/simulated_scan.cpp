@@ -5,6 +5,7 @@
 namespace place_memory::sim {
 
 core::Pose2d sensorPose(const SensorRing& ring, int index) {
+  if (!ring.mounts.empty()) return ring.mounts[static_cast<std::size_t>(index)];
   const double bearing = ring.first_bearing + ring.spacing * index;
   const Vec2 position = unitVector(bearing) * ring.radius;
   return {position.x, position.y, core::wrapAngle(bearing)};

@@ -12,13 +12,15 @@
 
 namespace place_memory::sim {
 
-/// Sonars around a base, all looking outwards and firing together.
+/// Sonars around a base, all firing together.
 struct SensorRing {
   int count = 16;                            ///< >= 1
   double first_bearing = 0.0;                ///< of sensor 0 from the base's x axis [rad]
   double spacing = core::kPi / 8.0;          ///< bearing from one sensor to the next [rad]
   double radius = 0.22;                      ///< of the ring, base to sensor [m], >= 0
   core::SonarSpec spec{0.436, 0.15, 4.572};  ///< 25 degrees, 6 inches to 15 feet
+  /// Where each sensor is in the base frame, if not evenly about a circle; none: as above.
+  std::vector<core::Pose2d> mounts{};
 };
 
 /// How the base turns through a scan (paper 3.1.4: eleven sets at two degrees).

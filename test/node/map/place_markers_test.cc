@@ -89,6 +89,24 @@ TEST(ToMarkers, OnlyThePlacesNearestToTheRobotHaveALabel) {
   EXPECT_EQ(under("regions", markersOf(row, 3)).front().points.size(), 50U);
 }
 
+TEST(ToMarkers, LabelsOfACrowdedMapLeaveEachOtherRoom) {
+  core::MapSnapshot map;
+  for (int i = 0; i < 1000; ++i) {
+    map.places.push_back(makePlace(i + 1, "place " + std::to_string(i), 0.2 * (i % 40)));
+    map.places.back().map_from_place.y = 0.2 * (i / 40);
+  }
+  const std::vector<Marker> labels = under("labels", markersOf(map, 50));
+  EXPECT_GT(labels.size(), 5U);
+  for (const Marker& a : labels) {
+    for (const Marker& b : labels) {
+      if (a.text == b.text) continue;
+      const double apart = std::abs(a.pose.position.x - b.pose.position.x);
+      const double above = std::abs(a.pose.position.y - b.pose.position.y);
+      EXPECT_TRUE(apart > 2.0 || above >= 0.5) << a.text << " and " << b.text;
+    }
+  }
+}
+
 TEST(ToMarkers, TheirNumberIsBoundedHoweverManyPlacesThereAre) {
   EXPECT_LE(markersOf(makeRow(20000)).markers.size(), 103U);
 }

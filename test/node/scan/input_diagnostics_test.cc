@@ -71,9 +71,11 @@ TEST(DiagnoseSonars, ASensorOfWhichNothingIsUsedIsAWarning) {
   rejects(useless, Reject::kNan) = 10;
   const auto status = diagnose({useless});
   expectSays(status, Level::WARN, {"a: readings are rejected", "wiring"});
-  ASSERT_EQ(status.values.size(), 1U);
-  EXPECT_EQ(status.values[0].key, "a");
-  EXPECT_EQ(status.values[0].value, "10 messages in 10 s, 10 range is NaN");
+  ASSERT_EQ(status.values.size(), 2U);
+  EXPECT_EQ(status.values[0].key, "a readings [Hz]");
+  EXPECT_EQ(status.values[0].value, "1.0");
+  EXPECT_EQ(status.values[1].key, "a left out [Hz]: range is NaN");
+  EXPECT_EQ(status.values[1].value, "1.0");
 }
 
 TEST(DiagnoseSonars, SomeRejectedReadingsAreNoWarning) {
