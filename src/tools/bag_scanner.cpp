@@ -1,16 +1,15 @@
 #include "tools/bag_scanner.h"
 
-#include <rosbag/view.h>
+#include <sensor_msgs/Imu.h>
+#include <sensor_msgs/Range.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <algorithm>
-#include <map>
+#include <boost/algorithm/string/join.hpp>
 #include <stdexcept>
 
 #include "node/base/ros_time.h"
 #include "node/input/range_adapter.h"
 #include "node/input/transform_filter.h"
-#include "tools/bag_file.h"
 
 namespace place_memory::tools {
 namespace {
@@ -18,80 +17,90 @@ namespace {
 constexpr char kTf[] = "tf";
 constexpr char kStaticTf[] = "tf_static";
 
-// Transforms and headings so long before a scan are read too: between two of them lies its start.
-const ros::Duration kLead(10.0);
-// Messages are recorded so much later than they are stamped.
-const ros::Duration kRecordingDelay(1.0);
+// Transforms and headings so long before a scan are read too: between two of them lies its start;
+// and so long after what still waits has to be there.
+constexpr double kLead = 10.0;
+constexpr double kTrail = 1.0;
 
-// Names are the same with and without the slash: a bag has them resolved, parameters do not.
-std::string withoutSlash(const std::string& name) {
-  return name.substr(std::min(name.find_first_not_of('/'), name.size()));
-}
+/// What messages are given to for one scan.
+struct Inputs {
+  const config::Parameters& parameters;
+  tf2::BufferCore& transforms;
+  node::SensorRegistry& registry;
+  node::ScanCollector& collector;
+  ros::Time end;
 
-std::string joined(const std::map<std::string, std::string>& types) {
-  std::string text;
-  for (const auto& [name, type] : types) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
+  void addTransforms(const TimedMessage& timed) {
+    const auto moved = timed.message->as<tf2_msgs::TFMessage>();
+    if (!moved) return;
+    for (const auto& transform : moved->transforms) {
+      const auto problem =
+          node::addTransform(transform, false, node::toNanoseconds(timed.time), transforms);
+      if (problem) collector.noteProblem(kTf, *problem);
+    }
+  }
+
+  void addHeading(const TimedMessage& timed) {
+    // Without odometry those after the end serve readings that still wait for the next heading.
+    const bool serves = parameters.odom_frame.empty() && collector.waiting();
+    const auto heading = timed.message->as<sensor_msgs::Imu>();
+    if (!heading || (heading->header.stamp > end && !serves)) return;
+    collector.addHeading(*heading, node::toNanoseconds(timed.time));
+  }
+
+  void addReading(const TimedMessage& timed) {
+    const auto range = timed.message->as<sensor_msgs::Range>();
+    if (!range || range->header.stamp > end) return;
+    const node::RangeAdapter adapter("/" + timed.message->topic,
+                                     parameters.scan.over_range_is_no_echo, registry);
+    collector.addReading(adapter.adapt(*range), node::toNanoseconds(timed.time));
+  }
+};
 
 }  // namespace
 
-BagScanner::BagScanner(const std::string& path, const config::Parameters& parameters)
-    : parameters_(parameters) {
-  openBag(path, bag_);
-  requireTopics(path);
+BagScanner::BagScanner(const BagSet& bags, const config::Parameters& parameters)
+    : bags_(bags), parameters_(parameters) {
+  for (const std::string& topic : parameters.sonar_topics) {
+    topics_.insert(require(topic, {"sensor_msgs/Range"}));
+  }
+  heading_topic_ = require(parameters.heading_topic, {"sensor_msgs/Imu"});
+  topics_.insert(heading_topic_);
+  const std::set<std::string> transforms = {"tf2_msgs/TFMessage", "tf/tfMessage"};
+  if (!parameters.odom_frame.empty()) require(kTf, transforms);
+  topics_.insert(kTf);
   readStaticTransforms();
 }
 
-void BagScanner::requireTopics(const std::string& path) {
-  std::map<std::string, std::string> types;
-  rosbag::View everything(bag_);
-  for (const rosbag::ConnectionInfo* connection : everything.getConnections()) {
-    types[withoutSlash(connection->topic)] = connection->datatype;
-    topics_.push_back(connection->topic);
+std::string BagScanner::require(const std::string& topic,
+                                const std::set<std::string>& types) const {
+  const std::string name = withoutSlash(topic);
+  const auto found = bags_.types().find(name);
+  if (found == bags_.types().end()) {
+    std::vector<std::string> others;
+    for (const auto& [other, its_types] : bags_.types()) others.push_back(other);
+    throw std::runtime_error(bags_.name() + (bags_.isOne() ? " has" : " have") + " no topic " +
+                             topic + "; there are " + boost::algorithm::join(others, ", "));
   }
-  const auto require = [&](const std::string& topic, const std::string& type) {
-    const auto found = types.find(withoutSlash(topic));
-    if (found == types.end()) {
-      throw std::runtime_error("the bag " + path + " has no topic " + topic + "; it has " +
-                               joined(types));
-    }
-    if (found->second != type) {
-      throw std::runtime_error("in the bag " + path + " the topic " + topic + " holds " +
-                               found->second + ", not " + type);
-    }
-    return found->first;
-  };
-  for (const std::string& topic : parameters_.sonar_topics) {
-    sonar_topics_.push_back(require(topic, "sensor_msgs/Range"));
+  for (const std::string& type : found->second) {
+    if (types.count(type) > 0) return name;
   }
-  heading_topic_ = require(parameters_.heading_topic, "sensor_msgs/Imu");
-  if (!parameters_.odom_frame.empty()) require(kTf, "tf2_msgs/TFMessage");
-
-  const auto needless = [&](const std::string& topic) {
-    const std::string name = withoutSlash(topic);
-    return name != kTf && name != heading_topic_ &&
-           std::find(sonar_topics_.begin(), sonar_topics_.end(), name) == sonar_topics_.end();
-  };
-  topics_.erase(std::remove_if(topics_.begin(), topics_.end(), needless), topics_.end());
+  throw std::runtime_error("in " + bags_.name() + " the topic " + topic + " holds " +
+                           boost::algorithm::join(found->second, " and ") + ", not " +
+                           *types.rbegin());
 }
 
 void BagScanner::readStaticTransforms() {
-  const auto is_static = [](const rosbag::ConnectionInfo* connection) {
-    return withoutSlash(connection->topic) == kStaticTf;
-  };
-  rosbag::View view(bag_, is_static);
-  for (const rosbag::MessageInstance& message : view) {
-    if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
+  bags_.readAll(kStaticTf, [this](const TimedMessage& timed) {
+    if (const auto transforms = timed.message->as<tf2_msgs::TFMessage>()) {
       static_transforms_.insert(static_transforms_.end(), transforms->transforms.begin(),
                                 transforms->transforms.end());
     }
-  }
+  });
 }
 
-node::ScanOutcome BagScanner::scan(const ros::Time& start, const ros::Time& end) const {
-  const ros::Duration wait(parameters_.scan.tf_timeout);
-  tf2::BufferCore transforms(end - start + kLead + kLead);
+BagScan BagScanner::scan(const ros::Time& start, const ros::Time& end) const {
+  tf2::BufferCore transforms(end - start + ros::Duration(2.0 * kLead));
   for (const auto& transform : static_transforms_) {
     node::addTransform(transform, true, node::toNanoseconds(start), transforms);
   }
@@ -99,36 +108,19 @@ node::ScanOutcome BagScanner::scan(const ros::Time& start, const ros::Time& end)
   node::ScanCollector collector(parameters_, transforms, registry);
   collector.begin(node::toNanoseconds(start), parameters_.scan.headings, parameters_.scan.step);
 
-  const ros::Time first = start.toSec() > kLead.toSec() ? start - kLead : ros::TIME_MIN;
-  rosbag::View view(bag_, rosbag::TopicQuery(topics_), first, end + wait + kRecordingDelay);
-  for (const rosbag::MessageInstance& message : view) {
-    const std::string topic = withoutSlash(message.getTopic());
-    const auto received = node::toNanoseconds(message.getTime());
-    if (topic == kTf) {
-      const auto moved = message.instantiate<tf2_msgs::TFMessage>();
-      if (!moved) continue;
-      for (const auto& transform : moved->transforms) {
-        const auto problem = node::addTransform(transform, false, received, transforms);
-        if (problem) collector.noteProblem("tf", *problem);
-      }
-    } else if (topic == heading_topic_) {
-      // Without odometry those after the end serve readings that still wait for the next heading.
-      const auto heading = message.instantiate<sensor_msgs::Imu>();
-      const bool serves = parameters_.odom_frame.empty() && collector.waiting();
-      if (!heading || (heading->header.stamp > end && !serves)) continue;
-      collector.addHeading(*heading, received);
-    } else {
-      const auto range = message.instantiate<sensor_msgs::Range>();
-      if (!range || range->header.stamp > end) continue;
-      const node::RangeAdapter adapter(message.getTopic(), parameters_.scan.over_range_is_no_echo,
-                                       registry);
-      collector.addReading(adapter.adapt(*range), received);
-      continue;  // what it needs comes later
+  Inputs inputs{parameters_, transforms, registry, collector, end};
+  const ros::Time last = later(end, parameters_.scan.tf_timeout + kTrail);
+  bags_.read(topics_, later(start, -kLead), last, [&](const TimedMessage& timed) {
+    const std::string& topic = timed.message->topic;
+    if (topic != kTf && topic != heading_topic_) {
+      inputs.addReading(timed);
+      return;  // what it needs comes later
     }
-    collector.process(received);
-  }
+    topic == kTf ? inputs.addTransforms(timed) : inputs.addHeading(timed);
+    collector.process(node::toNanoseconds(timed.time));
+  });
   collector.process(node::toNanoseconds(ros::TIME_MAX));
-  return collector.outcome(node::toNanoseconds(end));
+  return {collector.outcome(node::toNanoseconds(end)), node::inWords(collector.rejected())};
 }
 
 }  // namespace place_memory::tools
