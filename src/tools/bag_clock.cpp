@@ -19,10 +19,14 @@ constexpr double kStray = 1.0;
 // More frames than a robot has are no names of sensors.
 constexpr std::size_t kMaxInputs = 1000;
 
-double median(std::vector<double> values) {
-  MedianSample sample;
+// Of the lags of an input. Messages are held up, never sent before their time: the clocks show in
+// the small lags. The very smallest may be wrong stamps.
+constexpr double kPrompt = 0.1;
+
+double median(const std::vector<double>& values) {
+  QuantileSample sample;
   for (const double value : values) sample.add(value);
-  return sample.median();
+  return sample.quantile(0.5);
 }
 
 double lagOf(const ros::Time& stamp, const ros::Time& recorded) {
@@ -67,7 +71,7 @@ void ClockMeasurement::note(const ros::Time& recorded) {
 double ClockMeasurement::offset() const {
   std::map<std::string, std::vector<double>> of_topics;
   for (const auto& [name, input] : inputs_) {
-    if (input.rules) of_topics[name.first].push_back(input.lag.median());
+    if (input.rules) of_topics[name.first].push_back(input.lag.quantile(kPrompt));
   }
   std::vector<double> lags;
   for (const auto& [topic, of_inputs] : of_topics) lags.push_back(median(of_inputs));
@@ -81,7 +85,7 @@ BagClock ClockMeasurement::clock() const {
   clock.offset = offset();
   clock.first = ros::TIME_MAX;
   for (const auto& [name, input] : inputs_) {
-    const double stray = input.lag.median() - clock.offset;
+    const double stray = input.lag.quantile(kPrompt) - clock.offset;
     if (std::fabs(stray) > kStray) {
       if (input.rules) clock.strays[name] = stray;
       continue;

@@ -34,8 +34,8 @@ class StampOrder {
              const std::map<std::string, StampLayout>& layouts, const ros::Time& start,
              const ros::Time& end);
 
-  /// The next one, which stays until it is taken; null: there is no more. Throws
-  /// rosbag::BagException and ros::Exception where the bag is damaged.
+  /// The next one, which stays until it is taken; null: there is no more. Throws std::exception
+  /// where the bag is damaged.
   const TimedMessage* peek();
   TimedMessage take();
 

@@ -69,7 +69,7 @@ StoredMessage load(const rosbag::MessageInstance& message) {
 
 std::optional<StoredMessage> tryLoad(const rosbag::MessageInstance& message) try {
   return load(message);
-} catch (const ros::Exception&) {
+} catch (const std::exception&) {  // of rosbag, and of what decompresses
   return std::nullopt;
 }
 

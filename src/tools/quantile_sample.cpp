@@ -1,6 +1,8 @@
-#include "tools/median_sample.h"
+#include "tools/quantile_sample.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 namespace place_memory::tools {
 namespace {
@@ -9,7 +11,7 @@ constexpr std::size_t kMost = 4096;
 
 }  // namespace
 
-void MedianSample::add(double value) {
+void QuantileSample::add(double value) {
   if (skipped_ + 1 < stride_) {
     ++skipped_;
     return;
@@ -22,11 +24,13 @@ void MedianSample::add(double value) {
   stride_ *= 2;
 }
 
-double MedianSample::median() const {
+double QuantileSample::quantile(double share) const {
   std::vector<double> values = values_;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto rank =
+      static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size())));
+  const auto at = values.begin() + std::max<std::ptrdiff_t>(rank, 1) - 1;
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 }  // namespace place_memory::tools
