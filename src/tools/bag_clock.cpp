@@ -19,9 +19,13 @@ constexpr double kStray = 1.0;
 // More frames than a robot has are no names of sensors.
 constexpr std::size_t kMaxInputs = 1000;
 
-// Of the lags of an input. Messages are held up, never sent before their time: the clocks show in
-// the small lags. The very smallest may be wrong stamps.
+// Messages are held up, never sent before their time: the clocks show in the least lags, those of
+// this share, less what cannot be right.
 constexpr double kPrompt = 0.1;
+
+double promptLag(const QuantileSample& lags) {
+  return lags.quantile(kPrompt, lags.quantile(0.5) - kMaxLate);
+}
 
 double median(const std::vector<double>& values) {
   QuantileSample sample;
@@ -71,7 +75,7 @@ void ClockMeasurement::note(const ros::Time& recorded) {
 double ClockMeasurement::offset() const {
   std::map<std::string, std::vector<double>> of_topics;
   for (const auto& [name, input] : inputs_) {
-    if (input.rules) of_topics[name.first].push_back(input.lag.quantile(kPrompt));
+    if (input.rules) of_topics[name.first].push_back(promptLag(input.lag));
   }
   std::vector<double> lags;
   for (const auto& [topic, of_inputs] : of_topics) lags.push_back(median(of_inputs));
@@ -85,7 +89,7 @@ BagClock ClockMeasurement::clock() const {
   clock.offset = offset();
   clock.first = ros::TIME_MAX;
   for (const auto& [name, input] : inputs_) {
-    const double stray = input.lag.quantile(kPrompt) - clock.offset;
+    const double stray = promptLag(input.lag) - clock.offset;
     if (std::fabs(stray) > kStray) {
       if (input.rules) clock.strays[name] = stray;
       continue;

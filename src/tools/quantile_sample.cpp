@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace place_memory::tools {
 namespace {
@@ -24,11 +25,12 @@ void QuantileSample::add(double value) {
   stride_ *= 2;
 }
 
-double QuantileSample::quantile(double share) const {
-  std::vector<double> values = values_;
-  const auto rank =
-      static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size())));
-  const auto at = values.begin() + std::max<std::ptrdiff_t>(rank, 1) - 1;
+double QuantileSample::quantile(double share, double least) const {
+  std::vector<double> values;
+  std::copy_if(values_.begin(), values_.end(), std::back_inserter(values),
+               [least](double value) { return value >= least; });
+  const double rank = std::ceil(share * static_cast<double>(values.size()));
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }

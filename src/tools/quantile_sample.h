@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_TOOLS_QUANTILE_SAMPLE_H
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace place_memory::tools {
@@ -12,8 +13,9 @@ class QuantileSample {
  public:
   void add(double value);
   bool empty() const { return values_.empty(); }
-  /// The least value that this share of the values, in (0, 1], does not exceed. Must not be empty.
-  double quantile(double share) const;
+  /// The least value that this share of the values, in (0, 1], does not exceed; of those from
+  /// `least` on, of which there must be one.
+  double quantile(double share, double least = -std::numeric_limits<double>::infinity()) const;
 
  private:
   std::vector<double> values_;

@@ -57,6 +57,7 @@ class StampOrder {
   const std::map<std::string, StampLayout>& layouts_;
   std::unique_ptr<rosbag::View> view_;
   rosbag::View::iterator at_;
+  ros::Time start_;
   ros::Time end_;
   std::priority_queue<Waiting> waiting_;
   std::size_t number_ = 0;

@@ -16,6 +16,7 @@ TEST(QuantileSample, IsAmongAFew) {
   EXPECT_EQ(sample.quantile(0.5), 2.0);
   EXPECT_EQ(sample.quantile(0.1), 1.0);
   EXPECT_EQ(sample.quantile(1.0), 3.0);
+  EXPECT_EQ(sample.quantile(0.1, 1.5), 2.0);
 }
 
 TEST(QuantileSample, IsNearThatOfMany) {
