@@ -50,11 +50,11 @@ class BagSetTest : public testing::Test {
 };
 
 TEST_F(BagSetTest, WhatWasRecordedLateIsReadByItsStamps) {
-  // Two sensors in turn, of which one is held up for three seconds, as by a network.
+  // Two sensors in turn, of which one is held up for ten seconds, as by a network.
   std::vector<std::pair<double, int>> recorded;  // when, and which
   for (int i = 0; i < 40; ++i) {
     const bool is_late = i % 2 == 1 && i >= 10 && i < 20;
-    recorded.emplace_back(10.0 + i + (is_late ? 3.0 : 0.0), i);
+    recorded.emplace_back(is_late ? 30.5 : 10.0 + i, i);
   }
   std::stable_sort(recorded.begin(), recorded.end());
   rosbag::Bag bag(folder_.file("a.bag"), rosbag::bagmode::Write);
