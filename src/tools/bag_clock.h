@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "tools/quantile_sample.h"
 #include "tools/stored_message.h"

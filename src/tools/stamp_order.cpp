@@ -1,5 +1,6 @@
 #include "tools/stamp_order.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace place_memory::tools {

@@ -3,6 +3,7 @@
 #include <rosbag/exceptions.h>
 
 #include <algorithm>
+#include <exception>
 #include <sstream>
 
 namespace place_memory::tools {
