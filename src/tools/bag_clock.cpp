@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace place_memory::tools {
 namespace {
@@ -19,10 +20,18 @@ constexpr double kStray = 1.0;
 // More frames than a robot has are no names of sensors.
 constexpr std::size_t kMaxInputs = 1000;
 
-double median(std::vector<double> values) {
-  MedianSample sample;
+// Messages are held up, never sent before their time: the clocks show in the least lags, those of
+// this share, less what cannot be right.
+constexpr double kPrompt = 0.1;
+
+double promptLag(const QuantileSample& lags) {
+  return lags.quantile(kPrompt, lags.quantile(0.5) - kMaxLate);
+}
+
+double median(const std::vector<double>& values) {
+  QuantileSample sample;
   for (const double value : values) sample.add(value);
-  return sample.median();
+  return sample.quantile(0.5);
 }
 
 double lagOf(const ros::Time& stamp, const ros::Time& recorded) {
@@ -67,7 +76,7 @@ void ClockMeasurement::note(const ros::Time& recorded) {
 double ClockMeasurement::offset() const {
   std::map<std::string, std::vector<double>> of_topics;
   for (const auto& [name, input] : inputs_) {
-    if (input.rules) of_topics[name.first].push_back(input.lag.median());
+    if (input.rules) of_topics[name.first].push_back(promptLag(input.lag));
   }
   std::vector<double> lags;
   for (const auto& [topic, of_inputs] : of_topics) lags.push_back(median(of_inputs));
@@ -81,7 +90,7 @@ BagClock ClockMeasurement::clock() const {
   clock.offset = offset();
   clock.first = ros::TIME_MAX;
   for (const auto& [name, input] : inputs_) {
-    const double stray = input.lag.median() - clock.offset;
+    const double stray = promptLag(input.lag) - clock.offset;
     if (std::fabs(stray) > kStray) {
       if (input.rules) clock.strays[name] = stray;
       continue;

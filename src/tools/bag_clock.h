@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 #include <string>
-#include <vector>
+#include <utility>
 
-#include "tools/median_sample.h"
+#include "tools/quantile_sample.h"
 #include "tools/stored_message.h"
 
 namespace place_memory::tools {
@@ -55,7 +55,7 @@ class ClockMeasurement {
   };
 
   struct Input {
-    MedianSample lag;                    // from stamp to record [s]
+    QuantileSample lag;                  // from stamp to record [s]
     std::map<std::int64_t, Span> spans;  // of stamps, by whole seconds of their lag
     bool rules = false;
   };

@@ -2,9 +2,8 @@
 #define PLACE_MEMORY_TOOLS_BAG_MERGE_H
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/stamp_order.h"

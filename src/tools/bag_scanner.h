@@ -28,7 +28,7 @@ class BagScanner {
   /// be read.
   BagScanner(const BagSet& bags, const config::Parameters& parameters);
 
-  /// Every usable reading between two times, by its stamp. Throws ros::Exception where a bag is
+  /// Every usable reading between two times, by its stamp. Throws std::exception where a bag is
   /// damaged there.
   BagScan scan(const ros::Time& start, const ros::Time& end);
 

@@ -100,7 +100,7 @@ void BagSet::read(const std::set<std::string>& topics, const ros::Time& start, c
 
 void BagSet::readAll(const std::string& topic, const Visitor& visit) const try {
   read({topic}, ros::TIME_MIN, ros::TIME_MAX, visit);
-} catch (const ros::Exception& error) {  // of rosbag too
+} catch (const std::exception& error) {  // of rosbag, and of what decompresses
   throw std::runtime_error(name() + (isOne() ? " is" : " are") + " damaged: " + error.what());
 }
 

@@ -40,7 +40,7 @@ class BagSet {
 
   using Visitor = std::function<void(const TimedMessage&)>;
   /// Visits, in order of time, what came on these topics from `start` to `end`; what several bags
-  /// hold once. Throws rosbag::BagException and ros::Exception where a bag is damaged.
+  /// hold once. Throws std::exception where a bag is damaged.
   void read(const std::set<std::string>& topics, const ros::Time& start, const ros::Time& end,
             const Visitor& visit) const;
   /// Visits all that came on a topic, likewise. Throws std::runtime_error where a bag is damaged.

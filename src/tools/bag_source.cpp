@@ -91,13 +91,13 @@ BagSource openSource(const std::string& path, const std::set<std::string>& topic
   source.path = path;
   source.bag = std::make_unique<rosbag::Bag>();
   openBag(path, *source.bag);
+  readConnections(topics, source);
   try {
-    readConnections(topics, source);
     source.clock = measureClock(topics, source);
     source.notes = notesOn(path, source.clock);
     const std::string clocks = severalClocks(*source.bag);
     if (!clocks.empty()) source.notes.push_back("in the bag " + path + " " + clocks);
-  } catch (const ros::Exception& error) {  // of rosbag too
+  } catch (const std::exception& error) {  // of rosbag, and of what decompresses
     throw std::runtime_error("the bag " + path + " is damaged: " + error.what());
   }
   return source;

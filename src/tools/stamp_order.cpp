@@ -1,5 +1,6 @@
 #include "tools/stamp_order.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace place_memory::tools {
@@ -16,7 +17,7 @@ constexpr double kMargin = 1.0;
 StampOrder::StampOrder(const rosbag::Bag& bag, const std::vector<std::string>& topics,
                        const BagClock& clock, const std::map<std::string, StampLayout>& layouts,
                        const ros::Time& start, const ros::Time& end)
-    : clock_(clock), layouts_(layouts), end_(end) {
+    : clock_(clock), layouts_(layouts), start_(start), end_(end) {
   const ros::Time first = later(start, clock.offset - kMargin);
   const ros::Time last = later(end, clock.offset + clock.lateness);
   view_ = std::make_unique<rosbag::View>(bag, rosbag::TopicQuery(topics), first, last);
@@ -42,7 +43,7 @@ void StampOrder::readAhead() {
     const ros::Time earliest = later(clock_.received(instance.getTime()), -clock_.lateness);
     if (!waiting_.empty() && waiting_.top().timed.time < earliest) return;
     TimedMessage next = timed(instance);
-    if (next.time <= end_) waiting_.push({std::move(next), number_++});
+    if (next.time >= start_ && next.time <= end_) waiting_.push({std::move(next), number_++});
   }
 }
 

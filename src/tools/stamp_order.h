@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <optional>
 #include <queue>
 #include <string>
 #include <vector>
@@ -34,8 +33,8 @@ class StampOrder {
              const std::map<std::string, StampLayout>& layouts, const ros::Time& start,
              const ros::Time& end);
 
-  /// The next one, which stays until it is taken; null: there is no more. Throws
-  /// rosbag::BagException and ros::Exception where the bag is damaged.
+  /// The next one, which stays until it is taken; null: there is no more. Throws std::exception
+  /// where the bag is damaged.
   const TimedMessage* peek();
   TimedMessage take();
 
@@ -57,6 +56,7 @@ class StampOrder {
   const std::map<std::string, StampLayout>& layouts_;
   std::unique_ptr<rosbag::View> view_;
   rosbag::View::iterator at_;
+  ros::Time start_;
   ros::Time end_;
   std::priority_queue<Waiting> waiting_;
   std::size_t number_ = 0;

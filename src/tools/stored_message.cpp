@@ -3,6 +3,7 @@
 #include <rosbag/exceptions.h>
 
 #include <algorithm>
+#include <exception>
 #include <sstream>
 
 namespace place_memory::tools {
@@ -72,7 +73,7 @@ StoredMessage load(const rosbag::MessageInstance& message) {
 
 std::optional<StoredMessage> tryLoad(const rosbag::MessageInstance& message) try {
   return load(message);
-} catch (const ros::Exception&) {
+} catch (const std::exception&) {  // of rosbag, and of what decompresses
   return std::nullopt;
 }
 

@@ -39,7 +39,7 @@ struct StoredMessage {
   }
 };
 
-/// Throws ros::Exception where the bag is damaged there.
+/// Throws std::exception where the bag is damaged there.
 StoredMessage load(const rosbag::MessageInstance& message);
 /// Nothing where the bag is damaged there.
 std::optional<StoredMessage> tryLoad(const rosbag::MessageInstance& message);

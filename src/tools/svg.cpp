@@ -39,7 +39,9 @@ std::string decimal(double number, int decimals) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << std::fixed << std::setprecision(decimals) << (std::isfinite(number) ? number : 0.0);
-  return text.str();
+  const std::string digits = text.str();
+  const bool is_zero = digits.find_first_not_of("-0.") == std::string::npos;
+  return is_zero && digits.front() == '-' ? digits.substr(1) : digits;
 }
 
 std::string hint(std::string_view text) { return "<title>" + escaped(text) + "</title>"; }

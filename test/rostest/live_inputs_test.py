@@ -124,10 +124,11 @@ def odometry(robot):
 
 
 def hc_sr04(sensor, frames):
-    """Says max_range where it hears nothing."""
+    """Says max_range, 3 m, where it hears nothing."""
     def make(robot):
-        distance = min(robot.room.ping(robot.in_room, sensor), sonar_room.MAX_RANGE)
+        distance = min(robot.room.ping(robot.in_room, sensor), 3.0)
         message = fake_robot.range_message(sensor, distance, rospy.Time())
+        message.max_range = 3.0
         message.header.frame_id = frames(sensor)
         return message
     return (Range, make)

@@ -66,8 +66,8 @@ TEST(OriginOf, IsThatOfTheFirstTransform) {
 TEST(OriginOf, WhatIsCutHasNone) {
   sensor_msgs::Range range;
   range.header.frame_id = "sonar_3";
-  StoredMessage message = stored(range);
   for (const std::size_t size : {0, 3, 11, 15, 18}) {
+    StoredMessage message = stored(range);
     message.bytes.resize(size);
     EXPECT_FALSE(originOf(message, StampLayout::kHeader).has_value()) << size;
     EXPECT_FALSE(originOf(message, StampLayout::kTransforms).has_value()) << size;

@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_NODE_INPUT_ECHO_DIALECT_H
 #define PLACE_MEMORY_NODE_INPUT_ECHO_DIALECT_H
 
+#include <chrono>
 #include <limits>
 #include <optional>
 #include <string>
@@ -18,7 +19,10 @@ class EchoDialect {
   /// max_range within a hair, FLT_MAX and 0 with min_range 0 count at once; a value outside the
   /// limits once the sensor has repeated it while echoes came, too; a value at the top of what the
   /// sensor ever said once it came back several times, and nothing came near it.
-  std::optional<std::string> noEcho(double range, const core::SonarSpec& spec,
+  /// A range whose stamp is not newer than all before says nothing of the sensor: a bag may be read
+  /// twice.
+  std::optional<std::string> noEcho(std::chrono::nanoseconds stamp, double range,
+                                    const core::SonarSpec& spec,
                                     const config::NoEchoOptions& options);
 
  private:
@@ -26,6 +30,7 @@ class EchoDialect {
   bool topRepeats(double range, const core::SonarSpec& spec) const;
   bool outsideRepeats(double range) const;
 
+  std::chrono::nanoseconds newest_ = std::chrono::nanoseconds::min();
   bool echoes_ = false;  // one came within the limits
 
   double outside_ = std::numeric_limits<double>::quiet_NaN();  // newest value outside the limits

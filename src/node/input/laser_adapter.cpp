@@ -90,7 +90,8 @@ void LaserAdapter::measure(const sensor_msgs::LaserScan& scan, std::size_t first
   for (std::size_t beam = first; beam < last; ++beam) {
     double range = scan.ranges[beam];
     // Each beam for itself: what repeats in a fan says nothing.
-    const auto no_echo = EchoDialect().noEcho(range, measurement.spec, parameters_->no_echo);
+    const auto no_echo =
+        EchoDialect().noEcho(measurement.stamp, range, measurement.spec, parameters_->no_echo);
     if (no_echo) {
       reading.no_echo = NoEchoWord{range, *no_echo};
       range = std::numeric_limits<double>::infinity();

@@ -114,8 +114,9 @@ void MessageIntake::takeSonar(const std::string& topic, const InputMessage& mess
   for (const AdaptedReading& reading : taken.readings) {
     if (!reading.sensor_problem.empty()) {
       const std::string name = registry_.nameOf(reading.measurement.sensor);
-      taken.problems.push_back({name, "readings of " + name + " on " + topic +
-                                          " are left out: " + reading.sensor_problem});
+      const std::string where = name.find(topic) == std::string::npos ? " on " + topic : "";
+      taken.problems.push_back(
+          {name, "readings of " + name + where + " are left out: " + reading.sensor_problem});
     }
     if (reading.no_echo) {
       // One word for all sensors of a topic that say it so.

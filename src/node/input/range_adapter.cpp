@@ -27,7 +27,8 @@ AdaptedReading RangeAdapter::adapt(const sensor_msgs::Range& message) {
     adapted.reject = Reject::kNoStamp;
   } else {
     double range = message.range;
-    const auto no_echo = dialects_[measurement.sensor].noEcho(range, spec, parameters_->no_echo);
+    const auto no_echo =
+        dialects_[measurement.sensor].noEcho(measurement.stamp, range, spec, parameters_->no_echo);
     if (no_echo) {
       adapted.no_echo = NoEchoWord{range, *no_echo};
       range = std::numeric_limits<double>::infinity();

@@ -17,7 +17,10 @@ bool lastIsNoEcho(const std::vector<double>& ranges, const core::SonarSpec& spec
                   const config::NoEchoOptions& options = {}) {
   EchoDialect dialect;
   bool last = false;
-  for (const double range : ranges) last = dialect.noEcho(range, spec, options).has_value();
+  std::chrono::nanoseconds stamp{0};
+  for (const double range : ranges) {
+    last = dialect.noEcho(++stamp, range, spec, options).has_value();
+  }
   return last;
 }
 
@@ -49,16 +52,28 @@ TEST(EchoDialect, AValueOutsideTheLimitsMustRepeatWhileEchoesCome) {
 }
 
 TEST(EchoDialect, AValueThatComesBackAtTheTopIsNoEcho) {
-  EXPECT_TRUE(lastIsNoEcho({3.57, 1.0, 3.57, 1.4, 3.57}));
-  EXPECT_FALSE(lastIsNoEcho({3.57, 1.0, 3.57})) << "twice may be chance";
-  EXPECT_FALSE(lastIsNoEcho({3.57, 1.0, 3.57, 1.4, 3.57}, kSpec, strict()));
+  EXPECT_TRUE(lastIsNoEcho({3.57, 1.0, 3.57, 1.4, 3.57, 1.0, 3.57, 1.2, 3.57}));
+  EXPECT_FALSE(lastIsNoEcho({3.57, 1.0, 3.57, 1.4, 3.57})) << "that may be chance";
+  EXPECT_FALSE(lastIsNoEcho({3.57, 1.0, 3.57, 1.4, 3.57, 1.0, 3.57, 1.2, 3.57}, kSpec, strict()));
 }
 
 TEST(EchoDialect, AWallIsNoWordForNoEcho) {
   EXPECT_FALSE(lastIsNoEcho({3.57, 3.57, 3.57, 3.57, 3.57, 3.57})) << "the robot stands";
-  EXPECT_FALSE(lastIsNoEcho({3.57, 3.56, 3.57, 3.56, 3.57, 3.56, 3.57})) << "noise of a centimetre";
-  EXPECT_FALSE(lastIsNoEcho({2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 2.0})) << "far below max_range";
-  EXPECT_FALSE(lastIsNoEcho({3.57, 1.0, 3.57, 1.4, 3.57, 3.8, 3.57})) << "it hears farther";
+  EXPECT_FALSE(lastIsNoEcho({3.57, 3.56, 3.57, 3.56, 3.57, 3.56, 3.57, 3.56, 3.57, 3.56, 3.57}))
+      << "noise of a centimetre";
+  EXPECT_FALSE(lastIsNoEcho({2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 2.0, 1.0, 2.0}))
+      << "far below max_range";
+  EXPECT_FALSE(lastIsNoEcho({3.57, 1.0, 3.57, 1.4, 3.57, 1.0, 3.57, 1.0, 3.8, 3.57}))
+      << "it hears farther";
+}
+
+TEST(EchoDialect, ReadingABagTwiceMakesNoWord) {
+  EchoDialect dialect;
+  for (int times = 0; times < 10; ++times) {
+    EXPECT_FALSE(dialect.noEcho(std::chrono::seconds(1), 3.57, kSpec, {}));
+    EXPECT_FALSE(dialect.noEcho(std::chrono::seconds(2), 1.0, kSpec, {}));
+    EXPECT_FALSE(dialect.noEcho(std::chrono::seconds(3), -1.0, kSpec, {}));
+  }
 }
 
 TEST(EchoDialect, WhatREP117SaysIsLeftAlone) {

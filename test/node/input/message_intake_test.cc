@@ -120,10 +120,13 @@ TEST_F(MessageIntakeTest, FramesThatSensorsShareAreNamedOnce) {
 TEST_F(MessageIntakeTest, UnitsThatAreNotMetresAreNamed) {
   expectProblem(say("/left", rangeOf("cm", 120.0F, 400.0F)), {"cm", "max_range of 400", "metres"});
   Taken taken;
-  for (int i = 0; i < 20; ++i) taken = say("/right", rangeOf("far", 50.0F + i, 90.0F));
+  for (float range = 50.0F; range < 70.0F; range += 1.0F) {
+    taken = say("/right", rangeOf("far", range, 90.0F));
+  }
   expectProblem(taken, {"every range of far", "beyond the grid"});
-  for (int i = 0; i < 30; ++i) {
-    EXPECT_TRUE(say("/right", rangeOf("near", i == 3 ? 2.0F : 6.0F + i, 90.0F)).problems.empty());
+  say("/right", rangeOf("near", 2.0F, 90.0F));
+  for (float range = 50.0F; range < 80.0F; range += 1.0F) {
+    EXPECT_TRUE(say("/right", rangeOf("near", range, 90.0F)).problems.empty());
   }
 }
 
