@@ -30,6 +30,7 @@ struct Sample {
   Regressors regressors;
   bool right = false;
   bool known = false;  ///< one of the places is right, the best match or not
+  bool judged = true;  ///< there is an occupied cell: without, the recognizer answers UNKNOWN
   double weight = 1.0;
 };
 
@@ -66,6 +67,8 @@ Sample sampleOf(const CandidateList& list, const RankingWeights& weights, double
   sample.right = order[ranking.places.front().number]->right;
   sample.known = std::any_of(order.begin(), order.end(),
                              [](const Candidate* candidate) { return candidate->right; });
+  constexpr auto kOccupied = static_cast<std::size_t>(core::CellClass::kOccupied);
+  sample.judged = countsOf(list.own)[kOccupied][kOccupied] > 0;
   sample.weight = weight;
   return sample;
 }
@@ -86,6 +89,7 @@ std::vector<Sample> samplesOf(const std::vector<CandidateList>& known,
 }
 
 double probabilityOf(const Sample& sample, const Regressors& coefficients) {
+  if (!sample.judged) return 0.0;
   return 1.0 / (1.0 + std::exp(-coefficients.dot(sample.regressors)));
 }
 
@@ -99,6 +103,7 @@ core::CalibrationFeatures fitLogistic(const std::vector<Sample>& samples, bool S
     Regressors gradient = kRidge * coefficients;
     Hessian hessian = kRidge * Hessian::Identity();
     for (const Sample& sample : samples) {
+      if (!sample.judged) continue;
       const double p = probabilityOf(sample, coefficients);
       gradient += sample.weight * (p - (sample.*holds ? 1.0 : 0.0)) * sample.regressors;
       hessian += sample.weight * p * (1.0 - p) * sample.regressors * sample.regressors.transpose();
