@@ -39,6 +39,11 @@ constexpr int kRounds = 3;
 /// learn the peculiarities of one simulator.
 constexpr place_memory::core::PairWeights kPriorWeights{
     {{0.87, 0.64, -1.38}, {0.05, 0.17, -1.10}, {-2.23, -1.50, 3.52}}};
+/// Of each kind of scans with little to go by, beside the buildings' 1.
+constexpr double kSparseWeight = 0.06;
+/// Of the strangers among those of worlds that look alike wherever one stands: a place wrongly
+/// recognized there costs more than one missed.
+constexpr double kLookAlikeWeight = 0.6;
 /// Pull of the re-scoring towards the search score.
 constexpr double kRescoringRidge = 1e-4;
 
@@ -191,20 +196,23 @@ Lists strangersTo(const std::vector<TrialSet>& sets, const std::vector<Lists>& a
   return joined(strangers);
 }
 
-/// Scans with little to go by, `seeds` worlds of each kind.
-CalibrationScans sparseScans(std::uint64_t first, std::uint64_t seeds, const MatchMetric& metric) {
-  using place_memory::trials::kSparseKinds;
+using place_memory::trials::SparseKind;
+
+/// Scans of one kind with little to go by, of so many worlds.
+CalibrationScans sparseScans(SparseKind kind, std::uint64_t first, std::uint64_t seeds,
+                             const MatchMetric& metric) {
   const place_memory::core::SonarModel model{{}};
-  std::vector<CalibrationScans> parts(seeds * kSparseKinds);
-  forEach(parts.size(), "sparse worlds matched", [&](std::size_t i) {
-    const auto kind = static_cast<place_memory::trials::SparseKind>(i % kSparseKinds);
-    parts[i] = alignSparse(kind, first + i / kSparseKinds, model, metric);
-  });
+  std::vector<CalibrationScans> parts(seeds);
+  forEach(seeds, std::string("worlds matched: ") + nameOf(kind),
+          [&](std::size_t i) { parts[i] = alignSparse(kind, first + i, model, metric); });
   CalibrationScans all;
   for (const CalibrationScans& part : parts) {
     all.known.insert(all.known.end(), part.known.begin(), part.known.end());
     all.strangers.insert(all.strangers.end(), part.strangers.begin(), part.strangers.end());
   }
+  all.known_weight = kSparseWeight;
+  const bool look_alike = kind == SparseKind::kOpenSpace || kind == SparseKind::kHall;
+  all.strangers_weight = look_alike ? kLookAlikeWeight : kSparseWeight;
   return all;
 }
 
@@ -236,12 +244,12 @@ int train(const Settings& settings) {
   const std::vector<Lists> aligned = align(sets, preset.metric);
   const Lists known = joined(aligned);
   const Lists strangers = strangersTo(sets, aligned, preset.metric);
-  const CalibrationScans sparse = sparseScans(for_metric, (sets.size() + 1) / 2, preset.metric);
-  preset.calibration = fitCalibration(
-      joined({known, amongFewPlaces(known), sparse.known, amongFewPlaces(sparse.known)}),
-      joined({strangers, amongFewPlaces(strangers), sparse.strangers,
-              amongFewPlaces(sparse.strangers)}),
-      weights);
+  std::vector<CalibrationScans> parts{{joined({known, amongFewPlaces(known)}),
+                                       joined({strangers, amongFewPlaces(strangers)})}};
+  for (const SparseKind kind : place_memory::trials::kEverySparseKind) {
+    parts.push_back(sparseScans(kind, for_metric, (sets.size() + 1) / 2, preset.metric));
+  }
+  preset.calibration = fitCalibration(parts, weights);
   preset.calibration.sharpness =
       fitSharpness(sets, place_memory::core::SonarModel{{}}, preset.metric);
   writePreset(settings.out, settings.origin, preset);
@@ -256,12 +264,14 @@ int train(const Settings& settings) {
   std::cout << "held back: search: loss " << rankingLoss(choices, weights.metric) << ", top-1 "
             << topOne(choices, weights.metric) << "; ";
   printVerdicts(report, confidence);
-  const CalibrationScans others_sparse =
-      sparseScans(settings.seeds, (settings.held_back + 1) / 2, preset.metric);
-  std::cout << "held back, little to go by: ";
-  printVerdicts(reportCalibration(others_sparse.known, others_sparse.strangers, weights,
-                                  preset.calibration, confidence),
-                confidence);
+  for (const SparseKind kind : place_memory::trials::kEverySparseKind) {
+    const CalibrationScans sparse =
+        sparseScans(kind, settings.seeds, (settings.held_back + 1) / 2, preset.metric);
+    std::cout << "held back, " << nameOf(kind) << ": ";
+    printVerdicts(reportCalibration(sparse.known, sparse.strangers, weights, preset.calibration,
+                                    confidence),
+                  confidence);
+  }
   std::cout << "wrote " << settings.out << std::endl;
   return 0;
 }

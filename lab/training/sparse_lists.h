@@ -4,16 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "training/candidates.h"
+#include "training/calibration_fit.h"
 #include "trials/sparse_trials.h"
 
 namespace place_memory::training {
-
-/// What a calibration is fitted on.
-struct CalibrationScans {
-  std::vector<CandidateList> known;      ///< scans at learned places
-  std::vector<CandidateList> strangers;  ///< scans at places that are not
-};
 
 /// Places this near to a scan are what it could rightly be recognized as [m].
 constexpr double kStrangerDistance = 2.5;

@@ -118,7 +118,7 @@ SparseTrials ofWorlds(const sim::World& learned, const sim::World& elsewhere,
 }  // namespace
 
 const char* nameOf(SparseKind kind) {
-  constexpr std::array<const char*, kSparseKinds> kNames{"open space", "hall", "dead ring",
+  constexpr std::array<const char*, kEverySparseKind.size()> kNames{"open space", "hall", "dead ring",
                                                          "wrong units", "few sensors"};
   return kNames[static_cast<std::size_t>(kind)];
 }

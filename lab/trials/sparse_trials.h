@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_TRIALS_SPARSE_TRIALS_H
 #define PLACE_MEMORY_TRIALS_SPARSE_TRIALS_H
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,7 +18,9 @@ enum class SparseKind {
   kFewSensors,  ///< one, three or four sensors of short reach, that turn little or all round
 };
 
-constexpr int kSparseKinds = 5;
+constexpr std::array<SparseKind, 5> kEverySparseKind{SparseKind::kOpenSpace, SparseKind::kHall,
+                                                      SparseKind::kDeadRing, SparseKind::kWrongUnits,
+                                                      SparseKind::kFewSensors};
 
 /// "open space", "hall", "dead ring", "wrong units" or "few sensors".
 const char* nameOf(SparseKind kind);

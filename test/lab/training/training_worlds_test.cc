@@ -70,7 +70,7 @@ TEST(FitCalibration, TellsKnownScansFromStrangersBetterThanChance) {
     strangers.insert(strangers.end(), without.begin(), without.end());
   }
   const RankingWeights weights{asWeights(metric), preset.rescoring};
-  const core::Calibration calibration = fitCalibration(known, strangers, weights);
+  const core::Calibration calibration = fitCalibration({{known, strangers}}, weights);
   const CalibrationReport report = reportCalibration(known, strangers, weights, calibration, 0.6);
   EXPECT_GT(report.recognized, report.accepted);
   EXPECT_GT(report.refused, report.missed);
@@ -92,10 +92,10 @@ TEST(WritePreset, IsReadBackAsItWas) {
   rescoring.near = {1.0, -2.0, 4.0, -8.0, 0.5, 0.25, -0.125};
   preset.rescoring = rescoring;
   preset.calibration.scale = 0.5;
-  preset.calibration.right = {-1.0, 0.25, -0.5, -0.75, 2.0, 3.0,  4.0, 5.0,
-                              1.25, 0.5,  -8.0, 6.0,   7.0, -7.0, 9.0};
-  preset.calibration.known = {1.0,  0.5, -1.5, -2.75, 8.0, 2.0, 3.0, 6.0,
-                              2.25, 1.5, -4.0, 0.0,   1.0, 7.0, -9.0};
+  preset.calibration.right = {-1.0, 0.25, -0.5, -0.75, 2.0, 3.0, 4.0,  5.0, 1.25, 0.5, -8.0, 6.0,
+                              7.0,  -7.0, 9.0,  0.75,  1.5, 3.5, -2.5, 4.5, 8.5,  6.5, 7.5};
+  preset.calibration.known = {1.0, 0.5, -1.5, -2.75, 8.0,  2.0, 3.0,  6.0, 2.25, 1.5, -4.0, 0.0,
+                              1.0, 7.0, -9.0, 0.25,  -1.5, 2.5, -3.5, 4.0, 5.5,  6.0, 7.0};
   preset.calibration.sharpness = 0.0625;
   const std::string path = testing::TempDir() + "preset.yaml";
   writePreset(path, "Written by a test.", preset);
