@@ -40,10 +40,10 @@ constexpr int kRounds = 3;
 constexpr place_memory::core::PairWeights kPriorWeights{
     {{0.87, 0.64, -1.38}, {0.05, 0.17, -1.10}, {-2.23, -1.50, 3.52}}};
 /// Of each kind of scans with little to go by, beside the buildings' 1.
-constexpr double kSparseWeight = 0.06;
+constexpr double kSparseWeight = 0.04;
 /// Of the strangers among those of worlds that look alike wherever one stands: a place wrongly
 /// recognized there costs more than one missed.
-constexpr double kLookAlikeWeight = 0.6;
+constexpr double kLookAlikeWeight = 0.4;
 /// Pull of the re-scoring towards the search score.
 constexpr double kRescoringRidge = 1e-4;
 
@@ -244,8 +244,8 @@ int train(const Settings& settings) {
   const std::vector<Lists> aligned = align(sets, preset.metric);
   const Lists known = joined(aligned);
   const Lists strangers = strangersTo(sets, aligned, preset.metric);
-  std::vector<CalibrationScans> parts{{joined({known, amongFewPlaces(known)}),
-                                       joined({strangers, amongFewPlaces(strangers)})}};
+  std::vector<CalibrationScans> parts{
+      {joined({known, amongFewPlaces(known)}), joined({strangers, amongFewPlaces(strangers)})}};
   for (const SparseKind kind : place_memory::trials::kEverySparseKind) {
     parts.push_back(sparseScans(kind, for_metric, (sets.size() + 1) / 2, preset.metric));
   }
@@ -268,9 +268,9 @@ int train(const Settings& settings) {
     const CalibrationScans sparse =
         sparseScans(kind, settings.seeds, (settings.held_back + 1) / 2, preset.metric);
     std::cout << "held back, " << nameOf(kind) << ": ";
-    printVerdicts(reportCalibration(sparse.known, sparse.strangers, weights, preset.calibration,
-                                    confidence),
-                  confidence);
+    printVerdicts(
+        reportCalibration(sparse.known, sparse.strangers, weights, preset.calibration, confidence),
+        confidence);
   }
   std::cout << "wrote " << settings.out << std::endl;
   return 0;

@@ -38,8 +38,8 @@ sim::SimulatedRobot fewSensors(Rng& rng) {
   sim::SimulatedRobot robot;
   robot.ring.count = counts[sim::uniformIndex(rng, 4)];
   const bool all_round = robot.ring.count == 4 || chance(rng, 0.3);
-  robot.ring.spacing = all_round ? 2.0 * core::kPi / robot.ring.count
-                                 : uniform(rng, 20.0, 60.0) * kDegree;
+  robot.ring.spacing =
+      all_round ? 2.0 * core::kPi / robot.ring.count : uniform(rng, 20.0, 60.0) * kDegree;
   robot.ring.first_bearing = all_round ? 0.0 : -0.5 * (robot.ring.count - 1) * robot.ring.spacing;
   robot.ring.radius = uniform(rng, 0.0, 0.2);
   robot.ring.spec = {uniform(rng, 5.0, 35.0) * kDegree, 0.02, uniform(rng, 1.0, 4.5)};
@@ -118,8 +118,8 @@ SparseTrials ofWorlds(const sim::World& learned, const sim::World& elsewhere,
 }  // namespace
 
 const char* nameOf(SparseKind kind) {
-  constexpr std::array<const char*, kEverySparseKind.size()> kNames{"open space", "hall", "dead ring",
-                                                         "wrong units", "few sensors"};
+  constexpr std::array<const char*, kEverySparseKind.size()> kNames{
+      "open space", "hall", "dead ring", "wrong units", "few sensors"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -19,8 +19,8 @@ enum class SparseKind {
 };
 
 constexpr std::array<SparseKind, 5> kEverySparseKind{SparseKind::kOpenSpace, SparseKind::kHall,
-                                                      SparseKind::kDeadRing, SparseKind::kWrongUnits,
-                                                      SparseKind::kFewSensors};
+                                                     SparseKind::kDeadRing, SparseKind::kWrongUnits,
+                                                     SparseKind::kFewSensors};
 
 /// "open space", "hall", "dead ring", "wrong units" or "few sensors".
 const char* nameOf(SparseKind kind);

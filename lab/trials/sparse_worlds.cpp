@@ -25,8 +25,8 @@ sim::Material anyMaterial(Rng& rng) {
 }
 
 void wallIn(double width, double depth, Rng& rng, sim::World& world) {
-  world.walls.push_back({{{0.0, 0.0}, {width, 0.0}, {width, depth}, {0.0, depth}, {0.0, 0.0}},
-                         anyMaterial(rng)});
+  world.walls.push_back(
+      {{{0.0, 0.0}, {width, 0.0}, {width, depth}, {0.0, depth}, {0.0, 0.0}}, anyMaterial(rng)});
 }
 
 void addThing(Vec2 at, Rng& rng, sim::World& world) {
@@ -51,8 +51,8 @@ void layPlaces(Vec2 centre, Vec2 half, std::size_t count, Rng& rng, sim::World& 
   for (std::size_t i = 0; i < count * kTries && world.places.size() < count; ++i) {
     const Vec2 at{centre.x + uniform(rng, -half.x, half.x),
                   centre.y + uniform(rng, -half.y, half.y)};
-    const bool crowded = std::any_of(
-        world.places.begin(), world.places.end(), [&](const sim::Place& place) {
+    const bool crowded =
+        std::any_of(world.places.begin(), world.places.end(), [&](const sim::Place& place) {
           return std::hypot(place.position.x - at.x, place.position.y - at.y) < kSpacing;
         });
     if (crowded || !scene.isFree(at, kClearance)) continue;

@@ -128,8 +128,8 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   for (std::size_t i = 0; i < core::kCalibrationFeatureNames.size(); ++i) {
     const std::string name = core::kCalibrationFeatureNames[i];
     for (auto* coefficients : {&calibration.right, &calibration.known}) {
-      const std::string key =
-          std::string("calibration/") + (coefficients == &calibration.right ? "right/" : "known/") + name;
+      const std::string key = std::string("calibration/") +
+                              (coefficients == &calibration.right ? "right/" : "known/") + name;
       if (i < core::kFirstCalibrationFeatures || reader.has(key)) {
         needed(key, any, (*coefficients)[i]);
       }

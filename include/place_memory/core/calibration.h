@@ -25,14 +25,14 @@ constexpr std::array<const char*, 23> kCalibrationFeatureNames{
     "unopposed",                     // scale * score, where there is no other hypothesis
     "inverse_place_count",           // 1 / number of places: a margin over few says little
     // How much there is to go by: few cells agree by chance, and a lone wall fits any other.
-    "occupied_cells",             // log(1 + the scan's)
-    "learned_occupied_cells",     // log(1 + the learned ones)
-    "cells_within_one",           // log(1 + the scan's up to one cell from learned ones)
-    "cells_within_one_squared",   // the square of that
-    "occupied_per_empty",         // log((1 + the scan's occupied cells) / (1 + its empty ones))
+    "occupied_cells",              // log(1 + the scan's)
+    "learned_occupied_cells",      // log(1 + the learned ones)
+    "cells_within_one",            // log(1 + the scan's up to one cell from learned ones)
+    "cells_within_one_squared",    // the square of that
+    "occupied_per_empty",          // log((1 + the scan's occupied cells) / (1 + its empty ones))
     "learned_occupied_per_empty",  // likewise of the learned ones
-    "fall_by_shift",     // log(1 + scale * how far the search's score falls by a shift)
-    "fall_by_rotation",  // likewise by a rotation
+    "fall_by_shift",               // log(1 + scale * how far the search's score falls by a shift)
+    "fall_by_rotation",            // likewise by a rotation
 };
 /// So many of them a preset file must name; those added since are 0 where it does not.
 constexpr std::size_t kFirstCalibrationFeatures = 15;

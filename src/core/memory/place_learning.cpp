@@ -23,7 +23,8 @@ constexpr char kApart[] =
   throw PlaceMemoryError(
       Reason::kNoEcho,
       "no echo lies in the scan's grid, so that nothing can be recognized by it: scan where walls "
-      "or furniture are in reach, see to the sensors and the unit of their ranges, or learn it with "
+      "or furniture are in reach, see to the sensors and the unit of their ranges, or learn it "
+      "with "
       "force");
 }
 

@@ -11,8 +11,8 @@
 
 namespace place_memory::core {
 
-/// `counts`: at the best alignment; `own`: the pairs of the scan with itself. Shares are 0 where there
-/// is no such cell.
+/// `counts`: at the best alignment; `own`: the pairs of the scan with itself. Shares are 0 where
+/// there is no such cell.
 CalibrationFeatures calibrationFeatures(const AlignmentCounts& counts, const PairCounts& own,
                                         const HypothesisCluster& cluster, std::size_t places,
                                         double scale);

@@ -16,8 +16,8 @@ std::uint32_t countEchoes(const std::vector<SonarReading>& readings, const GridG
 
 bool holdsEcho(const Scan& scan) {
   const auto& cells = scan.grid.cells();
-  const bool occupied = std::any_of(cells.begin(), cells.end(),
-                                    [](std::int8_t evidence) { return evidence > 0; });
+  const bool occupied =
+      std::any_of(cells.begin(), cells.end(), [](std::int8_t evidence) { return evidence > 0; });
   return occupied &&
          (scan.readings.empty() || countEchoes(scan.readings, scan.grid.geometry()) > 0);
 }

@@ -16,16 +16,17 @@ constexpr std::size_t kFewEchoes = 8;
 std::string heard(const core::Scan& scan) {
   std::ostringstream text;
   if (scan.echoes == 0) {
-    text << ", none with an echo in the grid, which reaches "
-         << scan.grid.geometry().halfWidth()
-         << " m: such a scan tells nothing of where it was taken; is the space open so far, are the "
-            "sensors under power, are their ranges metres?";
+    text
+        << ", none with an echo in the grid, which reaches " << scan.grid.geometry().halfWidth()
+        << " m: such a scan tells nothing of where it was taken; is the space open so far, are the "
+           "sensors under power, are their ranges metres?";
     return text.str();
   }
   text << ", " << scan.echoes << " with an echo in the grid";
   if (scan.echoes * kFewEchoes < scan.readings.size()) {
-    text << ": few to know the place by; the room is larger than the sensors reach, or some of them "
-            "hear nothing: scan nearer to walls and furniture";
+    text
+        << ": few to know the place by; the room is larger than the sensors reach, or some of them "
+           "hear nothing: scan nearer to walls and furniture";
   }
   return text.str();
 }
