@@ -9,6 +9,7 @@
 #include "training/calibration_fit.h"
 #include "training/preset_file.h"
 #include "training/ranking_fit.h"
+#include "training/sparse_lists.h"
 #include "training/strangers.h"
 
 namespace place_memory::training {
@@ -75,6 +76,30 @@ TEST(FitCalibration, TellsKnownScansFromStrangersBetterThanChance) {
   EXPECT_GT(report.recognized, report.accepted);
   EXPECT_GT(report.refused, report.missed);
   EXPECT_LT(report.calibration_error, 0.25);
+}
+
+TEST(AlignSparse, StrangersAreThoseOfElsewhereAndThoseWithoutTheirPlaces) {
+  const trials::SparseTrials made = trials::simulateSparse(trials::SparseKind::kHall, 2);
+  const CalibrationScans scans = alignSparse(trials::SparseKind::kHall, 2, core::SonarModel{{}},
+                                             config::loadPreset("evidence").metric);
+  EXPECT_EQ(scans.known.size(), made.known.trials.size());
+  EXPECT_EQ(scans.strangers.size(), made.known.trials.size() + made.strangers.size());
+  for (const CandidateList& list : scans.strangers) {
+    for (const Candidate& candidate : list.candidates) EXPECT_FALSE(candidate.right);
+  }
+}
+
+TEST(FitCalibration, AScanWithoutAnOccupiedCellIsNeverRecognized) {
+  CalibrationScans silent = alignSparse(trials::SparseKind::kHall, 2, core::SonarModel{{}},
+                                        config::loadPreset("evidence").metric);
+  for (CandidateList& list : silent.known) list.own[8] = 0.0;  // occupied on occupied
+  core::Calibration sure;
+  sure.right = {20.0};
+  const RankingWeights weights{asWeights(config::loadPreset("evidence").metric), std::nullopt};
+  const CalibrationReport report =
+      reportCalibration(silent.known, silent.known, weights, sure, 0.8);
+  EXPECT_EQ(report.recognized + report.wrong + report.accepted, 0.0);
+  EXPECT_NEAR(report.missed, 1.0, 1e-9);
 }
 
 TEST(WritePreset, IsReadBackAsItWas) {
