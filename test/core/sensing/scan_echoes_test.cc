@@ -44,7 +44,7 @@ TEST(HoldsEcho, OnlyAnEchoInTheGridTellsOfAPlace) {
   EXPECT_TRUE(holdsEcho(scanOf({1.0, kNoEcho})));
   EXPECT_FALSE(holdsEcho(scanOf({kNoEcho, kNoEcho})));
   EXPECT_FALSE(holdsEcho(scanOf({40.0, 30.0}))) << "echoes beyond the rim";
-  EXPECT_FALSE(holdsEcho(scanOf({4.6, 4.6})))
+  EXPECT_FALSE(holdsEcho(scanOf({4.6})))
       << "what an echo right behind the rim leaves in the last cells is no echo in the grid";
 }
 
