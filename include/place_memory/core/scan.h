@@ -18,7 +18,8 @@ namespace place_memory::core {
 struct Scan {
   std::uint64_t id = 0;  ///< tells scans of one process apart; 0: none was given
   std::vector<SonarReading> readings;
-  EvidenceGrid grid;  ///< of those readings, in the scan frame
+  EvidenceGrid grid;         ///< of those readings, in the scan frame
+  std::uint32_t echoes = 0;  ///< readings whose echo lies in the grid
   /// Pose of the scan frame in the odometry frame; identity where there is no odometry.
   Pose2d odom_from_scan;
   Pose2d robot_in_scan;  ///< where the robot's base stood when the scan ended

@@ -25,7 +25,7 @@ class PlaceMemory::Impl {
  public:
   Impl(const PlaceMemoryOptions& options, PlaceStore store);
 
-  Learned learn(const Scan& scan, const std::string& label);
+  Learned learn(const Scan& scan, const std::string& label, bool force);
   Answer recognize(const Scan& scan, std::optional<double> heading_window,
                    const std::function<bool()>& cancelled);
   void setOptions(const RecognizerOptions& recognizer, const AdaptationOptions& adaptation);

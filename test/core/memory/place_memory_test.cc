@@ -219,6 +219,19 @@ TEST_F(PlaceMemoryTest, RefusesAHeadingWindowOutOfRange) {
                std::invalid_argument);
 }
 
+TEST_F(PlaceMemoryTest, AScanWithoutAnEchoIsLearnedOnlyByForce) {
+  Scan silent;
+  try {
+    memory_.learn(silent, "open");
+    ADD_FAILURE() << "it was learned";
+  } catch (const PlaceMemoryError& error) {
+    EXPECT_EQ(error.reason(), PlaceMemoryError::Reason::kNoEcho);
+  }
+  EXPECT_TRUE(labels().empty());
+  EXPECT_EQ(memory_.learn(silent, "open", true).place.label, "open");
+  EXPECT_EQ(memory_.recognize(silent, kHeadingWindow).recognition.verdict, Verdict::kUnknown);
+}
+
 class StoredPlaceMemoryTest : public testing::Test {
  protected:
   PlaceMemoryOptions options() const {
