@@ -57,6 +57,9 @@ void PlaceMemory::Impl::check(const Scan& scan) const {
 
 PlaceMemory::Learned PlaceMemory::Impl::learn(const Scan& scan, const std::string& label) {
   check(scan);
+  if (!scan.doubt.empty()) {
+    throw PlaceMemoryError(Reason::kDoubtfulScan, "the scan is not to be relied on: " + scan.doubt);
+  }
   std::uint64_t question = 0;
   {
     const std::lock_guard<std::mutex> lock(state_.mutex);

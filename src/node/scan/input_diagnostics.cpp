@@ -101,6 +101,7 @@ void diagnoseCompass(const InputHealth& health, Status& status) {
                                     std::to_string(compass.messages) +
                                     " headings of the last 10 s are left out: " + compass.problem);
   }
+  if (!compass.doubt.empty()) status.mergeSummary(Level::WARN, compass.doubt);
   status.add("topic", topic);
   status.add("rate", rate(compass.messages));
   status.add("left out in 10 s", compass.left_out);
