@@ -8,7 +8,8 @@ namespace place_memory::core {
 namespace {
 
 constexpr int kOccupied = 12;  // evidence
-constexpr int kEmpty = -8;     // evidence
+constexpr int kEmpty = -3;     // evidence
+constexpr double kNear = 1.0;  // [m]; cones are too narrow there to look everywhere
 
 // Evidence at a point; nothing outside the grid.
 std::optional<int> evidenceAt(const EvidenceGrid& grid, double x, double y) {
@@ -40,7 +41,7 @@ GridView viewFrom(const EvidenceGrid& grid, const Pose2d& sensor, const SonarSpe
       if (range - view.clear <= 3.0 * cell) view.echo = range;
       return view;
     }
-    known = known && most <= kEmpty;
+    known = known && (most <= kEmpty || range < kNear);
     if (known) view.clear = range;
   }
   return view;

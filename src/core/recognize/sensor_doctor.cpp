@@ -15,15 +15,17 @@ constexpr double kOffset = 3.0 * kPi / 180.0;  // between axes that are tried [r
 constexpr std::size_t kFewestScans = 3;
 constexpr std::size_t kFewestReadings = 10;
 constexpr std::size_t kFewestEchoes = 3;  // in a scan, to turn an axis by
-constexpr double kShort = 0.4;            // [m] nearer than the grid is known to be empty
+constexpr double kShort = 0.3;            // [m] nearer than the grid is known to be empty
 constexpr double kAlways = 0.8;
 constexpr double kBlockedSpread = 0.15;  // [m]
 constexpr double kOftenShort = 0.15;
-constexpr double kCoincide = 0.6;  // of short ranges
-constexpr double kAlike = 0.03;    // [m], and one part in a hundred
+constexpr double kFewestShorts = 8.0;
+constexpr double kCoincide = 0.75;  // of short ranges
+constexpr double kAlike = 0.03;     // [m], and one part in a hundred
 constexpr double kLeastTurn = 7.0 * kPi / 180.0;
 constexpr double kLeastSigma = kPi / 180.0;
-constexpr double kSure = 3.0;  // sigmas
+constexpr double kSure = 5.5;    // sigmas of an estimate of many sensors
+constexpr double kBetter = 1.5;  // sigmas by which it fits better
 constexpr int kMostEvidence = 40;
 constexpr int kLeastEvidence = -20;
 
@@ -49,10 +51,11 @@ double peak(const std::vector<double>& fit) {
 
 // Sensors that heard the same distance at about the same time: in the same round of the ring.
 std::set<std::uint32_t> whoHeardTheSame(const Scan& scan, std::size_t reading) {
-  std::set<std::uint32_t> seen{scan.sensors[reading]};
+  std::set<std::uint32_t> before{scan.sensors[reading]};
+  std::set<std::uint32_t> after = before;
   std::set<std::uint32_t> same;
   const double range = scan.readings[reading].range;
-  const auto look = [&](std::size_t i) {
+  const auto look = [&](std::size_t i, std::set<std::uint32_t>& seen) {
     if (!seen.insert(scan.sensors[i]).second) return;
     if (std::isfinite(scan.readings[i].range) && alike(range, scan.readings[i].range)) {
       same.insert(scan.sensors[i]);
@@ -60,8 +63,8 @@ std::set<std::uint32_t> whoHeardTheSame(const Scan& scan, std::size_t reading) {
   };
   constexpr std::size_t kRound = 32;  // [readings]
   for (std::size_t off = 1; off <= kRound; ++off) {
-    if (off <= reading) look(reading - off);
-    if (reading + off < scan.readings.size()) look(reading + off);
+    if (off <= reading) look(reading - off, before);
+    if (reading + off < scan.readings.size()) look(reading + off, after);
   }
   return same;
 }
@@ -83,6 +86,7 @@ void SensorDoctor::examine(const Scan& scan, const EvidenceGrid& place,
     ++findings.readings;
     if (echo) ++findings.echoes;
     if (view.echo && *view.echo < 0.8 * reading.spec.max_range) ++findings.due;
+    if (echo) findings.ranges.push_back(reading.range);
     if (!echo || reading.range > view.clear - kShort) continue;
     findings.shorts.push_back(reading.range);
     for (const std::uint32_t other : whoHeardTheSame(scan, i)) ++findings.like[other];
@@ -129,15 +133,15 @@ std::vector<SensorDiagnosis> SensorDoctor::diagnose() const {
   // A compass that is off turns all of them alike.
   const double common = turns.size() >= 4 ? quantile(turns, 0.5) : 0.0;
   for (SensorDiagnosis& diagnosis : diagnoses) {
-    if (diagnosis.fault != SensorFault::kNone) continue;
     const Turned turned = turnOf(diagnosis.sensor);
-    const double off = turned.by - common;
-    if (!turned.is_sure || std::abs(off) < std::max(kLeastTurn, kSure * turned.uncertainty)) {
-      continue;
-    }
-    diagnosis.fault = SensorFault::kMountedOff;
-    diagnosis.yaw_error = off;
+    if (turned.uncertainty == 0.0) continue;
+    diagnosis.yaw_error = turned.by - common;
     diagnosis.uncertainty = turned.uncertainty;
+    const double least = std::max(kLeastTurn, kSure * turned.uncertainty);
+    if (diagnosis.fault == SensorFault::kNone && turned.is_sure &&
+        std::abs(diagnosis.yaw_error) >= least) {
+      diagnosis.fault = SensorFault::kMountedOff;
+    }
   }
   return diagnoses;
 }
@@ -157,6 +161,7 @@ SensorDiagnosis SensorDoctor::diagnose(std::uint32_t sensor) const {
     all.readings += f.readings;
     all.echoes += f.echoes;
     all.due += f.due;
+    all.ranges.insert(all.ranges.end(), f.ranges.begin(), f.ranges.end());
     all.shorts.insert(all.shorts.end(), f.shorts.begin(), f.shorts.end());
     for (const auto& [other, count] : f.like) all.like[other] += count;
   }
@@ -172,11 +177,11 @@ SensorDiagnosis SensorDoctor::diagnose(std::uint32_t sensor) const {
   const auto readings = static_cast<double>(all.readings);
   if (all.echoes == 0 && all.due >= kFewestReadings) {
     diagnosis.fault = SensorFault::kNeverHears;
-  } else if (shorts >= kAlways * readings &&
-             quantile(all.shorts, 0.9) - quantile(all.shorts, 0.1) < kBlockedSpread) {
+  } else if (shorts >= kFewestShorts && static_cast<double>(all.echoes) >= kAlways * readings &&
+             quantile(all.ranges, 0.9) - quantile(all.ranges, 0.1) < kBlockedSpread) {
     diagnosis.fault = SensorFault::kBlocked;
-    diagnosis.range = quantile(all.shorts, 0.5);
-  } else if (shorts >= std::max(kOftenShort * readings, 8.0) && !all.like.empty()) {
+    diagnosis.range = quantile(all.ranges, 0.5);
+  } else if (shorts >= std::max(kOftenShort * readings, kFewestShorts) && !all.like.empty()) {
     const auto most =
         std::max_element(all.like.begin(), all.like.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -222,7 +227,7 @@ SensorDoctor::Turned SensorDoctor::turnOf(std::uint32_t sensor) const {
     square += better * better / n;
   }
   const double sigma = std::sqrt(std::max(square - gain * gain, 0.0) / (n - 1.0));
-  turned.is_sure = best > 0 && best + 1 < sum.size() && gain > kSure * sigma && gain > 0.0;
+  turned.is_sure = best > 0 && best + 1 < sum.size() && gain > kBetter * sigma && gain > 0.0;
   return turned;
 }
 

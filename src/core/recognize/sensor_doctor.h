@@ -27,8 +27,8 @@ struct SensorDiagnosis {
   SensorFault fault = SensorFault::kNone;
   std::uint32_t other = 0;   ///< with kCrosstalk: the sensor that it hears
   double range = 0.0;        ///< with kBlocked: at which [m]
-  double yaw_error = 0.0;    ///< with kMountedOff: to be added to the yaw of its mount [rad]
-  double uncertainty = 0.0;  ///< 1 sigma of that [rad]
+  double yaw_error = 0.0;    ///< to be added to the yaw of its mount, as estimated [rad]
+  double uncertainty = 0.0;  ///< 1 sigma of that [rad]; 0: there is no estimate
   std::size_t readings = 0;  ///< that were looked at
 };
 
@@ -57,6 +57,7 @@ class SensorDoctor {
     std::size_t readings = 0;
     std::size_t echoes = 0;
     std::size_t due = 0;                        // echoes that the grid promises
+    std::vector<double> ranges;                 // of its echoes [m]
     std::vector<double> shorts;                 // ranges where the grid is empty [m]
     std::map<std::uint32_t, std::size_t> like;  // how many of those another sensor heard too
     std::vector<double> fit;  // with the axis turned, by offset; empty: too few readings
@@ -65,7 +66,7 @@ class SensorDoctor {
 
   struct Turned {  // of an axis
     double by = 0.0;
-    double uncertainty = 0.0;
+    double uncertainty = 0.0;  ///< 1 sigma of that [rad]; 0: there is no estimate
     bool is_sure = false;
   };
 
