@@ -18,11 +18,12 @@ constexpr std::size_t kFewestEchoes = 3;  // in a scan, to turn an axis by
 constexpr double kShort = 0.3;            // [m] nearer than the grid is known to be empty
 constexpr double kAlways = 0.8;
 constexpr double kBlockedSpread = 0.15;  // [m]
-constexpr double kOftenShort = 0.15;
-constexpr double kFewestShorts = 8.0;
-constexpr double kCoincide = 0.75;  // of short ranges
-constexpr double kAlike = 0.03;     // [m], and one part in a hundred
-constexpr double kLeastTurn = 7.0 * kPi / 180.0;
+constexpr double kOftenShort = 0.08;
+constexpr double kFewestShorts = 7.0;
+constexpr double kCoincide = 0.7;  // of short ranges
+constexpr double kAlone = 0.6;     // of how often the one was heard, no other was more often
+constexpr double kAlike = 0.03;    // [m], and one part in a hundred
+constexpr double kLeastTurn = 11.0 * kPi / 180.0;
 constexpr double kLeastSigma = kPi / 180.0;
 constexpr double kSure = 5.5;    // sigmas of an estimate of many sensors
 constexpr double kBetter = 1.5;  // sigmas by which it fits better
@@ -49,15 +50,18 @@ double peak(const std::vector<double>& fit) {
   return kOffset * (i + between - 0.5 * static_cast<double>(fit.size() - 1));
 }
 
-// Sensors that heard the same distance at about the same time: in the same round of the ring.
-std::set<std::uint32_t> whoHeardTheSame(const Scan& scan, std::size_t reading) {
+// Sensors that heard the same distance at about the same time, in the same round of the ring, and
+// where the grid has something: what is short for both is a thing that came.
+std::set<std::uint32_t> whoHeardTheSame(const Scan& scan, const std::vector<bool>& is_short,
+                                        std::size_t reading) {
   std::set<std::uint32_t> before{scan.sensors[reading]};
   std::set<std::uint32_t> after = before;
   std::set<std::uint32_t> same;
   const double range = scan.readings[reading].range;
   const auto look = [&](std::size_t i, std::set<std::uint32_t>& seen) {
     if (!seen.insert(scan.sensors[i]).second) return;
-    if (std::isfinite(scan.readings[i].range) && alike(range, scan.readings[i].range)) {
+    if (!is_short[i] && std::isfinite(scan.readings[i].range) &&
+        alike(range, scan.readings[i].range)) {
       same.insert(scan.sensors[i]);
     }
   };
@@ -75,6 +79,7 @@ void SensorDoctor::examine(const Scan& scan, const EvidenceGrid& place,
                            const Pose2d& place_from_scan) {
   if (scan.sensors.size() != scan.readings.size()) return;
   const std::vector<SonarReading> readings = movedReadings(scan.readings, place_from_scan);
+  std::vector<bool> is_short(readings.size());
   Sensors sensors;
   std::map<std::uint32_t, std::vector<SonarReading>> by_sensor;
   for (std::size_t i = 0; i < readings.size(); ++i) {
@@ -87,9 +92,13 @@ void SensorDoctor::examine(const Scan& scan, const EvidenceGrid& place,
     if (echo) ++findings.echoes;
     if (view.echo && *view.echo < 0.8 * reading.spec.max_range) ++findings.due;
     if (echo) findings.ranges.push_back(reading.range);
-    if (!echo || reading.range > view.clear - kShort) continue;
-    findings.shorts.push_back(reading.range);
-    for (const std::uint32_t other : whoHeardTheSame(scan, i)) ++findings.like[other];
+    is_short[i] = echo && reading.range < view.clear - kShort;
+    if (is_short[i]) findings.shorts.push_back(reading.range);
+  }
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (!is_short[i]) continue;
+    Findings& findings = sensors[scan.sensors[i]];
+    for (const std::uint32_t other : whoHeardTheSame(scan, is_short, i)) ++findings.like[other];
   }
   for (auto& [sensor, findings] : sensors) findings.fit = fitTurned(by_sensor[sensor], place);
   scans_.push_back(std::move(sensors));
@@ -185,7 +194,13 @@ SensorDiagnosis SensorDoctor::diagnose(std::uint32_t sensor) const {
     const auto most =
         std::max_element(all.like.begin(), all.like.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (static_cast<double>(most->second) >= kCoincide * shorts) {
+    std::size_t second = 0;
+    for (const auto& [other, count] : all.like) {
+      if (other != most->first) second = std::max(second, count);
+    }
+    // Where several heard the same, they see one wall.
+    if (static_cast<double>(most->second) >= kCoincide * shorts &&
+        static_cast<double>(second) < kAlone * static_cast<double>(most->second)) {
       diagnosis.fault = SensorFault::kCrosstalk;
       diagnosis.other = most->first;
     }

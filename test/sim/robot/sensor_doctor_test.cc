@@ -22,7 +22,7 @@ using core::SensorFault;
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kDegree = core::kPi / 180.0;
-constexpr int kPlaces = 8;
+constexpr int kScans = 24;
 
 // What is wrong with one sensor of a robot.
 struct Fault {
@@ -101,7 +101,7 @@ std::vector<SensorDiagnosis> examine(std::uint64_t seed, const SimulatedRobot& r
   Rng rng(seed);
   const core::SonarModel model{core::SonarModelOptions()};
   core::SensorDoctor doctor{core::SonarModelOptions()};
-  for (int i = 0; i < kPlaces; ++i) {
+  for (int i = 0; i < kScans; ++i) {
     const Vec2 at = world.places[static_cast<std::size_t>(i) % world.places.size()].position;
     const core::Pose2d learned_at{at.x, at.y, uniform(rng, -core::kPi, core::kPi)};
     const core::Pose2d seen_at = learned_at * core::Pose2d{0.1 * normal(rng), 0.1 * normal(rng),
@@ -109,7 +109,7 @@ std::vector<SensorDiagnosis> examine(std::uint64_t seed, const SimulatedRobot& r
     robot.mend();
     const auto grid = model.build(robot.scan(learned_at).readings, core::GridGeometry());
     // A sensor that dies was heard before.
-    if (fault.kind != SensorFault::kDead || i >= kPlaces / 2) robot.breakDown(fault);
+    if (fault.kind != SensorFault::kDead || i >= kScans / 2) robot.breakDown(fault);
     const core::Scan scan = robot.scan(seen_at);
     const core::Pose2d error{0.03 * normal(rng), 0.03 * normal(rng), 0.02 * normal(rng)};
     doctor.examine(scan, grid, learned_at.inverse() * seen_at * error);
