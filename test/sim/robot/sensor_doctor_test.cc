@@ -121,7 +121,7 @@ Fault faultOf(std::uint64_t seed, SensorFault kind, const SensorRing& ring) {
   Rng rng(7 * seed);
   const auto count = static_cast<std::uint32_t>(ring.count);
   Fault fault{kind, static_cast<std::uint32_t>(uniformInt(rng, 0, ring.count - 1)), 0, 0.0};
-  fault.other = (fault.sensor + count / 2) % count;
+  fault.other = (fault.sensor + count / 4) % count;  // in a corridor, another distance
   fault.yaw = (chance(rng, 0.5) ? 1.0 : -1.0) * uniform(rng, 14.0, 24.0) * kDegree;
   return fault;
 }
