@@ -45,6 +45,9 @@ std::vector<Experiment> putBackExperiments(const ShippedWorlds& worlds);
 /// Generated buildings, each with a robot of its own: no shipped world, no paper.
 Experiment buildingsExperiment();
 
+/// Scans with little to go by (trials::simulateSparse): a row for each kind.
+std::vector<Experiment> sparseExperiments();
+
 /// Recorded scans (trials::readEpisodeFile), each of another building than the others: the scans of
 /// one are strangers to the memory of another. Throws std::runtime_error.
 std::vector<Experiment> recordedExperiments(const std::vector<std::string>& paths);

@@ -3,6 +3,7 @@
 #include "sim/building/building_generator.h"
 #include "sim/robot/random_robot.h"
 #include "trials/episode_file.h"
+#include "trials/sparse_trials.h"
 
 namespace place_memory::experiments {
 namespace {
@@ -45,6 +46,22 @@ Experiment buildingsExperiment() {
     return batch;
   };
   return experiment;
+}
+
+std::vector<Experiment> sparseExperiments() {
+  std::vector<Experiment> experiments;
+  for (const trials::SparseKind kind : trials::kEverySparseKind) {
+    Experiment experiment;
+    experiment.group = "sparse";
+    experiment.name = trials::nameOf(kind);
+    experiment.has_laser = false;
+    experiment.make = [kind](std::uint64_t seed, Sensor /*sensor*/) {
+      const trials::SparseTrials made = trials::simulateSparse(kind, seed);
+      return Batch{made.known, made.strangers, kStrangers};
+    };
+    experiments.push_back(std::move(experiment));
+  }
+  return experiments;
 }
 
 std::vector<Experiment> recordedExperiments(const std::vector<std::string>& paths) {

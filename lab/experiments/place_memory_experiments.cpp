@@ -31,6 +31,7 @@ struct Arguments {
   std::vector<std::string> recorded;
   std::size_t rearrangements = 0;
   bool figures = false;
+  bool sparse = false;
   RunOptions run;
 };
 
@@ -88,6 +89,9 @@ std::optional<Arguments> readArguments(int argc, char** argv) {
       "building: what one learns are strangers to the one before");
   add("rearrangements", po::value(&arguments.rearrangements)->default_value(0),
       "rearrange the office so many times over, with places that adapt and without");
+  add("sparse", po::bool_switch(&arguments.sparse),
+      "put scans with little to go by to the default method: open spaces, halls, dead rings, wrong "
+      "units, few sensors");
   add("figures", po::bool_switch(&arguments.figures), "write the grids and maps of the figures");
   add("seeds", po::value(&run.seeds)->default_value(run.seeds), "simulated worlds of each row");
   add("first-seed", po::value(&run.first_seed)->default_value(run.first_seed),
@@ -226,6 +230,15 @@ void rearrange(const Arguments& arguments, const ShippedWorlds& worlds,
   showAndWrite(arguments, "folds", foldTable(outcomes));
 }
 
+void runSparse(const Arguments& arguments, const std::vector<Method>& all) {
+  const std::vector<Experiment> experiments = sparseExperiments();
+  const std::vector<Method> methods = selectMethods(all, {"default"});
+  const std::vector<Outcome> outcomes =
+      runWithBar("little to go by", experiments, methods, arguments.run);
+  writeCsv(arguments, "sparse", summaryTable(outcomes));
+  showAndWrite(arguments, "sparse", verdictTable(outcomes, methods.front().name));
+}
+
 void drawAll(const Arguments& arguments, const ShippedWorlds& worlds,
              const std::vector<Method>& all) {
   const std::string folder = arguments.out + "/figures";
@@ -248,6 +261,7 @@ void process(const Arguments& arguments) {
   sweepAll(arguments, worlds,
            selectMethods(all, {"nearest_neighbour", "hill_climbing", "default"}));
   if (arguments.rearrangements > 0) rearrange(arguments, worlds, all);
+  if (arguments.sparse) runSparse(arguments, all);
   if (arguments.figures) drawAll(arguments, worlds, all);
 }
 

@@ -30,6 +30,7 @@ struct Sample {
   Regressors regressors;
   bool right = false;
   bool known = false;  ///< one of the places is right, the best match or not
+  bool judged = true;  ///< there is an occupied cell: without, the recognizer answers UNKNOWN
   double weight = 1.0;
 };
 
@@ -66,26 +67,28 @@ Sample sampleOf(const CandidateList& list, const RankingWeights& weights, double
   sample.right = order[ranking.places.front().number]->right;
   sample.known = std::any_of(order.begin(), order.end(),
                              [](const Candidate* candidate) { return candidate->right; });
+  constexpr auto kOccupied = static_cast<std::size_t>(core::CellClass::kOccupied);
+  sample.judged = countsOf(list.own)[kOccupied][kOccupied] > 0;
   sample.weight = weight;
   return sample;
 }
 
-std::vector<Sample> samplesOf(const std::vector<CandidateList>& known,
-                              const std::vector<CandidateList>& strangers,
-                              const RankingWeights& weights, double scale) {
+std::vector<Sample> samplesOf(const CalibrationScans& scans, const RankingWeights& weights,
+                              double scale) {
   std::vector<Sample> samples;
-  const auto add = [&](const std::vector<CandidateList>& lists) {
+  const auto add = [&](const std::vector<CandidateList>& lists, double weight) {
     for (const CandidateList& list : lists) {
       if (list.candidates.empty()) continue;
-      samples.push_back(sampleOf(list, weights, scale, 1.0 / static_cast<double>(lists.size())));
+      samples.push_back(sampleOf(list, weights, scale, weight / static_cast<double>(lists.size())));
     }
   };
-  add(known);
-  add(strangers);
+  add(scans.known, scans.known_weight);
+  add(scans.strangers, scans.strangers_weight);
   return samples;
 }
 
 double probabilityOf(const Sample& sample, const Regressors& coefficients) {
+  if (!sample.judged) return 0.0;
   return 1.0 / (1.0 + std::exp(-coefficients.dot(sample.regressors)));
 }
 
@@ -99,6 +102,7 @@ core::CalibrationFeatures fitLogistic(const std::vector<Sample>& samples, bool S
     Regressors gradient = kRidge * coefficients;
     Hessian hessian = kRidge * Hessian::Identity();
     for (const Sample& sample : samples) {
+      if (!sample.judged) continue;
       const double p = probabilityOf(sample, coefficients);
       gradient += sample.weight * (p - (sample.*holds ? 1.0 : 0.0)) * sample.regressors;
       hessian += sample.weight * p * (1.0 - p) * sample.regressors * sample.regressors.transpose();
@@ -115,13 +119,18 @@ core::CalibrationFeatures fitLogistic(const std::vector<Sample>& samples, bool S
 
 }  // namespace
 
-core::Calibration fitCalibration(const std::vector<CandidateList>& known,
-                                 const std::vector<CandidateList>& strangers,
+core::Calibration fitCalibration(const std::vector<CalibrationScans>& parts,
                                  const RankingWeights& weights) {
   core::Calibration calibration;
   // Re-scoring scores are in nats already: the weights are fitted on the search score's scale.
-  if (!weights.rescoring) calibration.scale = bestScale(searchChoices(known), weights.metric);
-  const std::vector<Sample> samples = samplesOf(known, strangers, weights, calibration.scale);
+  if (!weights.rescoring) {
+    calibration.scale = bestScale(searchChoices(parts.front().known), weights.metric);
+  }
+  std::vector<Sample> samples;
+  for (const CalibrationScans& part : parts) {
+    const std::vector<Sample> more = samplesOf(part, weights, calibration.scale);
+    samples.insert(samples.end(), more.begin(), more.end());
+  }
   calibration.right = fitLogistic(samples, &Sample::right);
   calibration.known = fitLogistic(samples, &Sample::known);
   return calibration;
@@ -139,9 +148,9 @@ CalibrationReport reportCalibration(const std::vector<CandidateList>& known,
   const Regressors right = Eigen::Map<const Regressors>(calibration.right.data());
   const Regressors known_place = Eigen::Map<const Regressors>(calibration.known.data());
   CalibrationReport report;
-  const std::size_t known_count = samplesOf(known, {}, weights, calibration.scale).size();
+  const std::size_t known_count = samplesOf({known, {}}, weights, calibration.scale).size();
   std::size_t index = 0;
-  for (const Sample& sample : samplesOf(known, strangers, weights, calibration.scale)) {
+  for (const Sample& sample : samplesOf({known, strangers}, weights, calibration.scale)) {
     const double p = probabilityOf(sample, right);
     Bin& bin = bins[std::min(static_cast<std::size_t>(p * kBins), kBins - 1)];
     bin.weight += sample.weight;

@@ -16,10 +16,16 @@ struct RankingWeights {
   std::optional<core::RescoringWeights> rescoring;
 };
 
-/// Fits the calibration by logistic regression. `known` are scans at learned places, `strangers`
-/// scans at places that are not; both sides weigh the same, however many they are.
-core::Calibration fitCalibration(const std::vector<CandidateList>& known,
-                                 const std::vector<CandidateList>& strangers,
+/// A part of what a calibration is fitted on. Either side weighs so much, however many they are.
+struct CalibrationScans {
+  std::vector<CandidateList> known;      ///< scans at learned places
+  std::vector<CandidateList> strangers;  ///< scans at places that are not
+  double known_weight = 1.0;
+  double strangers_weight = 1.0;
+};
+
+/// Fits the calibration by logistic regression. Scores are scaled by the first part.
+core::Calibration fitCalibration(const std::vector<CalibrationScans>& parts,
                                  const RankingWeights& weights);
 
 /// What the calibration says of scans it was not fitted on.

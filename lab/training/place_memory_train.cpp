@@ -20,6 +20,7 @@
 #include "training/preset_file.h"
 #include "training/ranking_fit.h"
 #include "training/sharpness_fit.h"
+#include "training/sparse_lists.h"
 #include "training/strangers.h"
 #include "training/training_worlds.h"
 #include "trials/episode_file.h"
@@ -38,8 +39,11 @@ constexpr int kRounds = 3;
 /// learn the peculiarities of one simulator.
 constexpr place_memory::core::PairWeights kPriorWeights{
     {{0.87, 0.64, -1.38}, {0.05, 0.17, -1.10}, {-2.23, -1.50, 3.52}}};
-/// A place this near is no stranger: its grid shows the same walls [m].
-constexpr double kStrangerDistance = 2.5;
+/// Of each kind of scans with little to go by, beside the buildings' 1.
+constexpr double kSparseWeight = 0.04;
+/// Of the strangers among those of worlds that look alike wherever one stands: a place wrongly
+/// recognized there costs more than one missed.
+constexpr double kLookAlikeWeight = 0.4;
 /// Pull of the re-scoring towards the search score.
 constexpr double kRescoringRidge = 1e-4;
 
@@ -57,8 +61,9 @@ Settings parse(int argc, char** argv) {
   Settings settings;
   options::options_description described(
       "Fits a matching preset on simulated buildings and writes it as YAML. Seeds 0 to N-1 are "
-      "fitted on, two thirds of them for the metric and the rest for the calibration; the seeds "
-      "behind them are held back and reported on.\nOptions");
+      "fitted on, two thirds of them for the metric and the rest for the calibration, which is "
+      "fitted on scans with little to go by as well; the seeds behind them are held back and "
+      "reported on.\nOptions");
   described.add_options()("help", "print this");
   described.add_options()("out", options::value(&settings.out)->required(), "YAML file to write");
   described.add_options()("seeds", options::value(&settings.seeds)->default_value(240),
@@ -191,6 +196,34 @@ Lists strangersTo(const std::vector<TrialSet>& sets, const std::vector<Lists>& a
   return joined(strangers);
 }
 
+using place_memory::trials::SparseKind;
+
+/// Scans of one kind with little to go by, of so many worlds.
+CalibrationScans sparseScans(SparseKind kind, std::uint64_t first, std::uint64_t seeds,
+                             const MatchMetric& metric) {
+  const place_memory::core::SonarModel model{{}};
+  std::vector<CalibrationScans> parts(seeds);
+  forEach(seeds, std::string("worlds matched: ") + nameOf(kind),
+          [&](std::size_t i) { parts[i] = alignSparse(kind, first + i, model, metric); });
+  CalibrationScans all;
+  for (const CalibrationScans& part : parts) {
+    all.known.insert(all.known.end(), part.known.begin(), part.known.end());
+    all.strangers.insert(all.strangers.end(), part.strangers.begin(), part.strangers.end());
+  }
+  all.known_weight = kSparseWeight;
+  const bool look_alike = kind == SparseKind::kOpenSpace || kind == SparseKind::kHall;
+  all.strangers_weight = look_alike ? kLookAlikeWeight : kSparseWeight;
+  return all;
+}
+
+void printVerdicts(const CalibrationReport& report, double confidence) {
+  std::cout << "answers: top-1 " << report.top_one << "; with confidence " << confidence
+            << ": recognized and right " << report.recognized << ", recognized and wrong "
+            << report.wrong << ", strangers accepted " << report.accepted
+            << "; unknown: known scans " << report.missed << ", strangers " << report.refused
+            << "; expected calibration error " << report.calibration_error << '\n';
+}
+
 int train(const Settings& settings) {
   MatchPreset preset;
   const std::uint64_t for_metric = settings.seeds * 2 / 3;
@@ -211,8 +244,12 @@ int train(const Settings& settings) {
   const std::vector<Lists> aligned = align(sets, preset.metric);
   const Lists known = joined(aligned);
   const Lists strangers = strangersTo(sets, aligned, preset.metric);
-  preset.calibration = fitCalibration(joined({known, amongFewPlaces(known)}),
-                                      joined({strangers, amongFewPlaces(strangers)}), weights);
+  std::vector<CalibrationScans> parts{
+      {joined({known, amongFewPlaces(known)}), joined({strangers, amongFewPlaces(strangers)})}};
+  for (const SparseKind kind : place_memory::trials::kEverySparseKind) {
+    parts.push_back(sparseScans(kind, for_metric, (sets.size() + 1) / 2, preset.metric));
+  }
+  preset.calibration = fitCalibration(parts, weights);
   preset.calibration.sharpness =
       fitSharpness(sets, place_memory::core::SonarModel{{}}, preset.metric);
   writePreset(settings.out, settings.origin, preset);
@@ -225,12 +262,17 @@ int train(const Settings& settings) {
                         preset.calibration, confidence);
   const std::vector<Choice> choices = searchChoices(joined(held_back));
   std::cout << "held back: search: loss " << rankingLoss(choices, weights.metric) << ", top-1 "
-            << topOne(choices, weights.metric) << "; answers: top-1 " << report.top_one
-            << "; with confidence " << confidence << ": recognized and right " << report.recognized
-            << ", recognized and wrong " << report.wrong << ", strangers accepted "
-            << report.accepted << "; unknown: known scans " << report.missed << ", strangers "
-            << report.refused << "; expected calibration error " << report.calibration_error
-            << "\nwrote " << settings.out << std::endl;
+            << topOne(choices, weights.metric) << "; ";
+  printVerdicts(report, confidence);
+  for (const SparseKind kind : place_memory::trials::kEverySparseKind) {
+    const CalibrationScans sparse =
+        sparseScans(kind, settings.seeds, (settings.held_back + 1) / 2, preset.metric);
+    std::cout << "held back, " << nameOf(kind) << ": ";
+    printVerdicts(
+        reportCalibration(sparse.known, sparse.strangers, weights, preset.calibration, confidence),
+        confidence);
+  }
+  std::cout << "wrote " << settings.out << std::endl;
   return 0;
 }
 

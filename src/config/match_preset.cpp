@@ -127,8 +127,13 @@ MatchPreset parsePreset(YAML::Node root, const std::string& source) {
   needed("calibration/scale", {0.0, 1000.0, false, true}, calibration.scale);
   for (std::size_t i = 0; i < core::kCalibrationFeatureNames.size(); ++i) {
     const std::string name = core::kCalibrationFeatureNames[i];
-    needed("calibration/right/" + name, any, calibration.right[i]);
-    needed("calibration/known/" + name, any, calibration.known[i]);
+    for (auto* coefficients : {&calibration.right, &calibration.known}) {
+      const std::string key = std::string("calibration/") +
+                              (coefficients == &calibration.right ? "right/" : "known/") + name;
+      if (i < core::kFirstCalibrationFeatures || reader.has(key)) {
+        needed(key, any, (*coefficients)[i]);
+      }
+    }
   }
   needed("calibration/sharpness", {0.0, 1000.0, true, true}, calibration.sharpness);
   const std::vector<std::string> more = reader.problems();

@@ -25,13 +25,15 @@ std::string toString(core::PlaceMemoryError::Reason reason) {
       return "already_learned";
     case Reason::kStoreFailed:
       return "store_failed";
+    case Reason::kNoEcho:
+      return "no_echo";
   }
   return {};
 }
 
 Result learn(const Event& event, const core::Scan& scan, core::PlaceMemory& memory) {
   Result result;
-  const core::Place place = memory.learn(scan, event.label).place;
+  const core::Place place = memory.learn(scan, event.label, event.force).place;
   result.place = place.label;
   result.robot = place.map_from_place * scan.robot_in_scan;
   return result;
@@ -51,7 +53,9 @@ Result recognize(const Event& event, const core::Scan& scan, core::PlaceMemory& 
   result.score = best.score;
   result.probability = best.probability;
   result.robot = answer.recognition.map_from_robot;
-  if (!answer.adapt_problem.empty()) {
+  if (answer.recognition.no_echo) {
+    result.message = "no echo lies in the scan's grid: it tells nothing of where it was taken";
+  } else if (!answer.adapt_problem.empty()) {
     result.message = "the place is as it was: " + answer.adapt_problem;
   }
   return result;

@@ -30,6 +30,26 @@ TEST(MatchPreset, BuiltInPresetsAreTheFiles) {
   }
 }
 
+TEST(MatchPreset, CoefficientsThatWereAddedMayBeMissing) {
+  const TemporaryFolder folder;
+  const YAML::Node preset = YAML::LoadFile(PLACE_MEMORY_SOURCE_DIR "/config/presets/evidence.yaml");
+  for (std::size_t i = core::kFirstCalibrationFeatures; i < core::kCalibrationFeatureNames.size();
+       ++i) {
+    for (const char* of : {"right", "known"}) {
+      YAML::Node coefficients = preset["calibration"][of];
+      ASSERT_TRUE(coefficients.remove(core::kCalibrationFeatureNames[i]));
+    }
+  }
+  writeFile(folder.file("old"), YAML::Dump(preset));
+  const core::Calibration read = loadPreset(folder.file("old")).calibration;
+  const core::Calibration shipped = loadPreset("evidence").calibration;
+  for (std::size_t i = 0; i < core::kCalibrationFeatureNames.size(); ++i) {
+    const bool added = i >= core::kFirstCalibrationFeatures;
+    EXPECT_EQ(read.right[i], added ? 0.0 : shipped.right[i]) << core::kCalibrationFeatureNames[i];
+    EXPECT_EQ(read.known[i], added ? 0.0 : shipped.known[i]) << core::kCalibrationFeatureNames[i];
+  }
+}
+
 /// The shipped preset with one node set anew, or left out.
 struct PresetEdit {
   std::vector<std::string> path;

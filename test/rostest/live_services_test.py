@@ -12,6 +12,11 @@ import live_test
 import sonar_room
 
 
+def silenced(_sensor, message):
+    message.range = math.inf
+    return message
+
+
 class LiveServicesTest(live_test.LiveTestCase):
     def recognize(self, window=0.0):
         return self.node.call("recognize_place", heading_window=window)
@@ -157,6 +162,38 @@ class LiveServicesTest(live_test.LiveTestCase):
         self.assertAlmostEqual(found.pose.pose.position.x, best.transform.x, places=6)
         self.assertEqual(found.header.frame_id, "map")
         self.assertGreater(found.match_duration.to_sec(), 0.0)
+
+    def test_a_scan_without_an_echo_is_no_place_unless_forced(self):
+        self.start_node()
+        self.learn("study", sonar_room.STUDY)
+        self.robot.enter(sonar_room.Room(100.0, 100.0))
+        result = self.scan_well()
+        self.assertEqual(result.echoes, 0)
+        self.assertIn("none with an echo in the grid", result.message)
+
+        refused = self.node.call("learn_place", label="yard")
+        self.assert_answer(refused, LearnPlaceResponse.NO_ECHO)
+        self.assertIn("force", refused.message)
+        self.assertEqual(self.labels(), ["study"])
+        self.assert_answer(self.node.call("learn_place", label="yard", force=True), LearnPlaceResponse.OK)
+
+        # The ring unplugged in the study: as empty as the yard, which is known.
+        self.robot.enter(sonar_room.STUDY)
+        self.robot.edit_range = silenced
+        self.scan_well()
+        response = self.recognize()
+        self.assert_answer(response, RecognizePlaceResponse.OK)
+        self.assertEqual(response.recognition.verdict, Recognition.UNKNOWN)
+        self.assertIn("no echo lies in the scan's grid", response.message)
+        self.assertEqual([match.probability for match in response.recognition.matches], [0.0, 0.0])
+
+    def test_a_scan_says_how_many_echoes_lie_in_its_grid(self):
+        self.start_node()
+        self.robot.enter(sonar_room.STUDY)
+        result = self.scan_well()
+        self.assertGreater(result.echoes, 0)
+        self.assertLessEqual(result.echoes, result.readings)
+        self.assertIn("%d with an echo in the grid" % result.echoes, result.message)
 
     def test_recognize_says_unknown_where_nothing_was_learned(self):
         self.start_node()

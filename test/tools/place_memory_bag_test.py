@@ -92,6 +92,30 @@ class BagToolTest(unittest.TestCase):
         self.assertIn("it lies before what the bag holds, which is from 999.000", answer.stderr)
         self.assertIn("it lies after what the bag holds", answer.stderr)
 
+    def test_scans_without_an_echo_are_no_places(self):
+        yard, room, unplugged = self.rooms.events[:3]
+        path = self.path("silent.bag")
+        with rosbag.Bag(path, "w") as bag:
+            for topic, message, stamp in rosbag.Bag(self.bag).read_messages():
+                at = stamp.to_sec()
+                if topic == "/sonar" and (at < yard.end or unplugged.start <= at < unplugged.end):
+                    message.range = float("inf")
+                bag.write(topic, message, stamp)
+        asked = "%.3f,%.3f,recognize,,\n" % (unplugged.start, unplugged.end)
+        learned = HEADER + self.learn(yard, "yard") + self.learn(room, "room") + asked
+        answer = self.run_events(learned, bag=path)
+        self.assertEqual(answer.returncode, SOME, answer.stderr)
+        self.assertEqual([row["status"] for row in self.rows()], ["no_echo", "ok", "ok"])
+        self.assertEqual(self.rows()[2]["verdict"], "unknown")
+        self.assertIn("no echo lies in the scan's grid", answer.stderr)
+
+        # The yard learned by force is as empty as a room with the ring unplugged.
+        forced = learned.replace("heading_window", "heading_window,force").replace("yard,", "yard,,true")
+        answer = self.run_events(forced, bag=path)
+        self.assertEqual(answer.returncode, ALL, answer.stderr)
+        self.assertEqual([row["verdict"] for row in self.rows()], ["", "", "unknown"])
+        self.assertEqual(float(self.rows()[2]["probability"]), 0.0)
+
     def test_pipes_get_no_progress(self):
         answer = self.run_events(HEADER + self.learn(self.rooms.events[0]))
         self.assertNotIn("\r", answer.stderr)

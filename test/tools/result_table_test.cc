@@ -48,6 +48,25 @@ TEST(ResultTable, APlaceFollowsWhatIsRecognizedWhereItIsAskedTo) {
   }
 }
 
+TEST(ResultTable, AScanWithoutAnEchoIsLearnedOnlyWhereTheTableForcesIt) {
+  core::PlaceMemory memory(adapting(false));
+  core::Scan silent;
+  silent.end = std::chrono::seconds(1);
+  Event learning = event(Action::kLearn, "a");
+  const Result refused = run(learning, silent, memory);
+  EXPECT_EQ(refused.status, "no_echo");
+  EXPECT_NE(refused.message.find("force"), std::string::npos) << refused.message;
+  EXPECT_TRUE(memory.map().places.empty());
+  learning.force = true;
+  EXPECT_EQ(run(learning, silent, memory).status, "ok");
+  EXPECT_EQ(memory.map().places.size(), 1U);
+
+  const Result asked = run(event(Action::kRecognize), silent, memory);
+  EXPECT_EQ(asked.verdict, "unknown");
+  EXPECT_EQ(asked.probability, 0.0);
+  EXPECT_NE(asked.message.find("no echo"), std::string::npos) << asked.message;
+}
+
 TEST(ResultTable, AnAnswerStandsThoughThePlaceCannotFollow) {
   const TemporaryFolder folder;
   core::PlaceMemory memory(adapting(true, folder.file("places.db")));

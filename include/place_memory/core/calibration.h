@@ -8,7 +8,7 @@ namespace place_memory::core {
 
 /// The features of the calibration: what speaks for the best match and against it. These are the
 /// names of their coefficients in preset files.
-constexpr std::array<const char*, 15> kCalibrationFeatureNames{
+constexpr std::array<const char*, 23> kCalibrationFeatureNames{
     "bias",                  // 1
     "empty_on_empty",        // share of the scan's empty cells that fall on learned empty ones
     "empty_on_occupied",     // likewise on occupied ones
@@ -24,7 +24,18 @@ constexpr std::array<const char*, 15> kCalibrationFeatureNames{
     "mean_margin",                   // scale * margin over the mean of the other hypotheses
     "unopposed",                     // scale * score, where there is no other hypothesis
     "inverse_place_count",           // 1 / number of places: a margin over few says little
+    // How much there is to go by: few cells agree by chance, and a lone wall fits any other.
+    "occupied_cells",              // log(1 + the scan's)
+    "learned_occupied_cells",      // log(1 + the learned ones)
+    "cells_within_one",            // log(1 + the scan's up to one cell from learned ones)
+    "cells_within_one_squared",    // the square of that
+    "occupied_per_empty",          // log((1 + the scan's occupied cells) / (1 + its empty ones))
+    "learned_occupied_per_empty",  // likewise of the learned ones
+    "fall_by_shift",               // log(1 + scale * how far the search's score falls by a shift)
+    "fall_by_rotation",            // likewise by a rotation
 };
+/// So many of them a preset file must name; those added since are 0 where it does not.
+constexpr std::size_t kFirstCalibrationFeatures = 15;
 using CalibrationFeatures = std::array<double, kCalibrationFeatureNames.size()>;
 
 /// From scores to probabilities, by logistic regression (Platt, Probabilistic Outputs for Support

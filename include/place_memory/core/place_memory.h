@@ -35,6 +35,7 @@ class PLACE_MEMORY_PUBLIC PlaceMemoryError : public std::runtime_error {
     kAlreadyLearned,  ///< this very scan is a place already
     kDoubtfulScan,    ///< something speaks against the scan (Scan::doubt)
     kStoreFailed,     ///< the store could not be read or written; the memory is as it was
+    kNoEcho,          ///< no echo lies in the scan's grid: nothing could be recognized by it
   };
 
   PlaceMemoryError(Reason reason, const std::string& what)
@@ -110,8 +111,8 @@ class PLACE_MEMORY_PUBLIC PlaceMemory {
   PlaceMemory& operator=(const PlaceMemory&) = delete;
 
   /// Makes the scan a place, linked to the previous one (paper 7). `label` "": one is made up.
-  /// Throws PlaceMemoryError.
-  Learned learn(const Scan& scan, const std::string& label);
+  /// Without `force` a scan in whose grid no echo lies is refused. Throws PlaceMemoryError.
+  Learned learn(const Scan& scan, const std::string& label, bool force = false);
 
   /// The one way from a scan to an answer: matches it against every place (a place that is removed
   /// meanwhile is not among the matches), settles where the robot is, folds the scan into the place

@@ -33,6 +33,9 @@ struct PlaceMatch {
 /// The answer to one scan.
 struct Recognition {
   Verdict verdict = Verdict::kUnknown;
+  /// No echo lies in the scan's grid, so that it tells nothing of where it was taken: UNKNOWN, and
+  /// no place is probable.
+  bool no_echo = false;
   /// Every place, of more than 1024 the best of them: the chosen one first, the others by falling
   /// score; equal scores: lower id first.
   std::vector<PlaceMatch> matches;

@@ -21,7 +21,8 @@ struct Scan {
   std::vector<SonarReading> readings;
   /// The number of the sensor of each reading; empty where sensors are not told apart.
   std::vector<std::uint32_t> sensors;
-  EvidenceGrid grid;  ///< of those readings, in the scan frame
+  EvidenceGrid grid;         ///< of those readings, in the scan frame
+  std::uint32_t echoes = 0;  ///< readings whose echo lies in the grid
   /// Pose of the scan frame in the odometry frame; identity where there is no odometry.
   Pose2d odom_from_scan;
   Pose2d robot_in_scan;  ///< where the robot's base stood when the scan ended

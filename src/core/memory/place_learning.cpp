@@ -4,6 +4,7 @@
 #include "core/map/place_label.h"
 #include "core/memory/link_pose.h"
 #include "core/memory/place_memory_impl.h"
+#include "core/sensing/scan_echoes.h"
 
 namespace place_memory::core {
 namespace {
@@ -17,6 +18,15 @@ constexpr char kApart[] =
     "where it lies beside the places known before is not known, because none of them was "
     "recognised "
     "since odometry began anew: recognise one, and it moves to where it belongs";
+
+[[noreturn]] void refuseWithoutEcho() {
+  throw PlaceMemoryError(
+      Reason::kNoEcho,
+      "no echo lies in the scan's grid, so that nothing can be recognized by it: scan where walls "
+      "or furniture are in reach, see to the sensors and the unit of their ranges, or learn it "
+      "with "
+      "force");
+}
 
 }  // namespace
 
@@ -55,11 +65,14 @@ void PlaceMemory::Impl::check(const Scan& scan) const {
   }
 }
 
-PlaceMemory::Learned PlaceMemory::Impl::learn(const Scan& scan, const std::string& label) {
+PlaceMemory::Learned PlaceMemory::Impl::learn(const Scan& scan, const std::string& label,
+                                              bool force) {
   check(scan);
-  if (!scan.doubt.empty()) {
-    throw PlaceMemoryError(Reason::kDoubtfulScan, "the scan is not to be relied on: " + scan.doubt);
+  if (!force && !scan.doubt.empty()) {
+    throw PlaceMemoryError(Reason::kDoubtfulScan, "the scan is not to be relied on: " + scan.doubt +
+                                                      "; scan again, or learn it with force");
   }
+  if (!force && !holdsEcho(scan)) refuseWithoutEcho();
   std::uint64_t question = 0;
   {
     const std::lock_guard<std::mutex> lock(state_.mutex);

@@ -85,8 +85,8 @@ PlaceMemory::PlaceMemory(const PlaceMemoryOptions& options)
 
 PlaceMemory::~PlaceMemory() = default;
 
-PlaceMemory::Learned PlaceMemory::learn(const Scan& scan, const std::string& label) {
-  return impl_->learn(scan, label);
+PlaceMemory::Learned PlaceMemory::learn(const Scan& scan, const std::string& label, bool force) {
+  return impl_->learn(scan, label, force);
 }
 
 PlaceMemory::Answer PlaceMemory::recognize(const Scan& scan, double heading_window,

@@ -24,7 +24,7 @@ class PlaceMemory::Impl {
  public:
   Impl(const PlaceMemoryOptions& options, PlaceStore store);
 
-  Learned learn(const Scan& scan, const std::string& label);
+  Learned learn(const Scan& scan, const std::string& label, bool force);
   Answer recognize(const Scan& scan, double heading_window, const std::function<bool()>& cancelled);
   void rename(const std::string& label, const std::string& new_label);
   void remove(const std::string& label);

@@ -77,8 +77,8 @@ std::optional<Ranking> rankPlaces(const AlignedPlaces& aligned, const Recognizer
 
   const std::size_t best = ranking.places.front().number;
   const AlignmentCounts at = best < counts.size() ? counts[best] : aligned.counts(best);
-  ranking.features = calibrationFeatures(at.pairs, at.near, aligned.own, ranking.cluster,
-                                         ranking.places.size(), options.calibration.scale);
+  ranking.features = calibrationFeatures(at, aligned.own, ranking.cluster, ranking.places.size(),
+                                         options.calibration.scale);
   return ranking;
 }
 

@@ -8,6 +8,7 @@
 #include "core/recognize/ranking.h"
 #include "core/recognize/scan_query.h"
 #include "core/recognize/verdict.h"
+#include "core/sensing/scan_echoes.h"
 #include "support/worker_pool.h"
 
 namespace place_memory::core {
@@ -15,11 +16,6 @@ namespace {
 
 void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
-}
-
-bool sensedNothing(const EvidenceGrid& grid) {
-  return std::all_of(grid.cells().begin(), grid.cells().end(),
-                     [](std::int8_t evidence) { return evidence == 0; });
 }
 
 std::shared_ptr<support::WorkerPool> poolOf(std::size_t threads) {
@@ -65,7 +61,9 @@ std::optional<Recognition> Recognizer::recognize(const Scan& scan, const PlaceIn
           "heading_window must lie in [0, pi]");
   const ScanQuery query(scan.grid, options_, heading_window);
   const std::vector<PlaceAlignment> found = query.alignAll(places, cancelled, *pool_);
-  if (found.empty()) return Recognition{};
+  Recognition recognition;
+  recognition.no_echo = !holdsEcho(scan);
+  if (found.empty()) return recognition;
 
   AlignedPlaces aligned;
   aligned.own = query.ownPairs();
@@ -85,14 +83,13 @@ std::optional<Recognition> Recognizer::recognize(const Scan& scan, const PlaceIn
   const std::optional<Ranking> ranking = rankPlaces(aligned, options_);
   if (!ranking) return std::nullopt;
 
-  Recognition recognition;
   recognition.matches.reserve(found.size());
   for (const RankedPlace& place : ranking->places) {
     recognition.matches.push_back({found[place.number].place, place.score,
                                    aligned.places[place.number].place_from_scan, 0.0});
   }
-  // Unsensed cells may earn points, so scores alone do not tell such a scan from a good one.
-  if (!sensedNothing(scan.grid)) {
+  // Empty and unsensed cells earn points: scores alone do not tell such a scan from a good one.
+  if (!recognition.no_echo) {
     judge(ranking->features, options_.calibration, options_.confidence, recognition);
   }
   const PlaceAlignment& best = found[ranking->places.front().number];

@@ -25,7 +25,7 @@ class Recognizer {
   /// environment variable PLACE_MEMORY_ISA where it cannot be followed.
   explicit Recognizer(const RecognizerOptions& options);
 
-  /// Ranks every place of the index. A scan that sensed nothing is UNKNOWN, and no place probable,
+  /// Ranks every place of the index. A scan that holds no echo is UNKNOWN, and no place probable,
   /// whatever the scores. `heading_window` is how far the compass may be off, in [0, pi]
   /// [rad]; pi stands for any heading. `cancelled`, where given, is polled between blocks of
   /// places; once it returns true the call throws std::runtime_error. Throws std::invalid_argument

@@ -31,9 +31,11 @@ void shareAmongOthers(double rest, double scale, std::vector<PlaceMatch>& matche
 
 }  // namespace
 
-CalibrationFeatures calibrationFeatures(const PairCounts& at, const RescoringCounts& near,
-                                        const PairCounts& own, const HypothesisCluster& cluster,
-                                        std::size_t places, double scale) {
+CalibrationFeatures calibrationFeatures(const AlignmentCounts& counts, const PairCounts& own,
+                                        const HypothesisCluster& cluster, std::size_t places,
+                                        double scale) {
+  const PairCounts& at = counts.pairs;
+  const RescoringCounts& near = counts.near;
   constexpr auto kEmpty = static_cast<std::size_t>(CellClass::kEmpty);
   constexpr auto kOccupied = static_cast<std::size_t>(CellClass::kOccupied);
   const auto ratio = [](int cells, int of) {
@@ -41,6 +43,9 @@ CalibrationFeatures calibrationFeatures(const PairCounts& at, const RescoringCou
   };
   const auto share = [&](int cells, std::size_t of) { return ratio(cells, own[of][of]); };
   const auto learned = [&](std::size_t of) { return at[0][of] + at[1][of] + at[2][of]; };
+  const double within_one = std::log1p(near.of(NearPairs::kOccupiedWithinOne));
+  const double own_occupied = std::log1p(own[kOccupied][kOccupied]);
+  const double learned_occupied = std::log1p(learned(kOccupied));
   return {1.0,
           share(at[kEmpty][kEmpty], kEmpty),
           share(at[kEmpty][kOccupied], kEmpty),
@@ -55,7 +60,15 @@ CalibrationFeatures calibrationFeatures(const PairCounts& at, const RescoringCou
           std::log1p(scale * std::max(cluster.margin, 0.0)),
           scale * cluster.mean_margin,
           scale * cluster.unopposed,
-          1.0 / static_cast<double>(std::max<std::size_t>(places, 1))};
+          1.0 / static_cast<double>(std::max<std::size_t>(places, 1)),
+          own_occupied,
+          learned_occupied,
+          within_one,
+          within_one * within_one,
+          own_occupied - std::log1p(own[kEmpty][kEmpty]),
+          learned_occupied - std::log1p(learned(kEmpty)),
+          std::log1p(scale * std::max(-counts.sharpness.shift, 0.0)),
+          std::log1p(scale * std::max(-counts.sharpness.rotation, 0.0))};
 }
 
 void judge(const CalibrationFeatures& features, const Calibration& calibration, double confidence,

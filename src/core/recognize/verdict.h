@@ -5,17 +5,17 @@
 
 #include "core/match/pair_counts.h"
 #include "core/recognize/hypothesis_cluster.h"
-#include "core/recognize/rescoring.h"
+#include "core/recognize/scan_query.h"
 #include "place_memory/core/calibration.h"
 #include "place_memory/core/recognition.h"
 
 namespace place_memory::core {
 
-/// `at` and `near`: the counts at the best alignment; `own`: the pairs of the scan with itself.
-/// Shares are 0 where there is no such cell.
-CalibrationFeatures calibrationFeatures(const PairCounts& at, const RescoringCounts& near,
-                                        const PairCounts& own, const HypothesisCluster& cluster,
-                                        std::size_t places, double scale);
+/// `counts`: at the best alignment; `own`: the pairs of the scan with itself. Shares are 0 where
+/// there is no such cell.
+CalibrationFeatures calibrationFeatures(const AlignmentCounts& counts, const PairCounts& own,
+                                        const HypothesisCluster& cluster, std::size_t places,
+                                        double scale);
 
 /// Sets the probabilities of the matches, which are ranked, and the verdict: RECOGNIZED where the
 /// best has at least `confidence`; AMBIGUOUS where only all places together have it; else UNKNOWN.

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "core/sensing/odometry_jump.h"
+#include "core/sensing/scan_echoes.h"
 
 namespace place_memory::core {
 namespace {
@@ -29,6 +30,7 @@ Scan makeScan(const std::vector<LocatedReading>& readings, const Pose2d& fixed_f
     scan.sensors.push_back(located.sensor);
   }
   scan.grid = model.build(scan.readings, geometry);
+  scan.echoes = countEchoes(scan.readings, geometry);
   scan.odom_from_scan = fixed_from_scan;
   scan.robot_in_scan = scan_from_fixed * fixed_from_base;
   return scan;

@@ -22,6 +22,11 @@ std::string verdictInWords(const core::PlaceMemory::Answer& answer) {
     case core::Verdict::kUnknown:
       break;
   }
+  if (found.no_echo) {
+    return "not recognised: no echo lies in the scan's grid, so that it tells nothing of where it "
+           "was taken; the space is open, or the sensors hear nothing, or their ranges are not "
+           "metres";
+  }
   return "not recognised: the best of " + placesInWords(found.matches.size()) + " is " + best;
 }
 

@@ -102,7 +102,8 @@ void PlaceServices::learn(const LearnPlace::Request& request, LearnPlace::Respon
   const std::shared_ptr<const core::Scan> scan =
       takeScan(context_.scans, request.scan_id, response);
   if (!scan) return;
-  const core::PlaceMemory::Learned learned = context_.memory.learn(*scan, request.label);
+  const core::PlaceMemory::Learned learned =
+      context_.memory.learn(*scan, request.label, request.force != 0);
   context_.publisher.overtake();
   response.place_id = learned.place.id;
   response.label = learned.place.label;

@@ -44,6 +44,8 @@ inline std::uint8_t toStatus<LearnPlace::Response>(core::PlaceMemoryError::Reaso
       return LearnPlace::Response::ALREADY_LEARNED;
     case Reason::kDoubtfulScan:
       return LearnPlace::Response::DOUBTFUL_SCAN;
+    case Reason::kNoEcho:
+      return LearnPlace::Response::NO_ECHO;
     default:
       return LearnPlace::Response::STORE_FAILED;
   }

@@ -7,6 +7,31 @@
 
 // What has come of a scan, in words that a person can act on.
 namespace place_memory::node {
+namespace {
+
+/// Of a scan with fewer echoes than one in so many readings it is said that they are few.
+constexpr std::size_t kFewEchoes = 8;
+
+/// What the readings heard.
+std::string heard(const core::Scan& scan) {
+  std::ostringstream text;
+  if (scan.echoes == 0) {
+    text
+        << ", none with an echo in the grid, which reaches " << scan.grid.geometry().halfWidth()
+        << " m: such a scan tells nothing of where it was taken; is the space open so far, are the "
+           "sensors under power, are their ranges metres?";
+    return text.str();
+  }
+  text << ", " << scan.echoes << " with an echo in the grid";
+  if (scan.echoes * kFewEchoes < scan.readings.size()) {
+    text
+        << ": few to know the place by; the room is larger than the sensors reach, or some of them "
+           "hear nothing: scan nearer to walls and furniture";
+  }
+  return text.str();
+}
+
+}  // namespace
 
 ScanOutcome ScanCollector::outcome(std::chrono::nanoseconds end) const {
   if (failure_) return *failure_;
@@ -24,7 +49,7 @@ ScanOutcome ScanCollector::outcome(std::chrono::nanoseconds end) const {
   scan->id = core::newScanId();
   std::ostringstream text;
   text << readings() << " readings at " << sweep_->coverage().headings() << " headings"
-       << leftOut();
+       << heard(*scan) << leftOut();
   std::string problems = scan_problems_.inWords();
   if (!scan->doubt.empty()) {
     text << "; not to be relied on: " << scan->doubt;

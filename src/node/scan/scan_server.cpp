@@ -236,7 +236,10 @@ void ScanServer::end(const ScanOutcome& outcome, std::chrono::nanoseconds now) {
   }
   result.begin = toRosTime(sweep_->started());
   result.end = toRosTime(now);
-  if (outcome.scan) result.scan_id = outcome.scan->id;
+  if (outcome.scan) {
+    result.scan_id = outcome.scan->id;
+    result.echoes = outcome.scan->echoes;
+  }
   collector_.drop();
   sweep_.reset();
   sayOutcome(outcome);

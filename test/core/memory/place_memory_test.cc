@@ -67,6 +67,8 @@ TEST_F(PlaceMemoryTest, RefusesAScanThatIsNotToBeReliedOn) {
   scan.doubt = "the compass stands still";
   expectRefused(Reason::kDoubtfulScan, [&] { memory_.learn(scan, "a"); });
   EXPECT_EQ(memory_.size(), 0U);
+  memory_.learn(scan, "a", true);
+  EXPECT_EQ(memory_.size(), 1U) << "with force";
 }
 
 TEST_F(PlaceMemoryTest, RefusesAScanOfOtherCells) {
@@ -224,6 +226,19 @@ TEST_F(PlaceMemoryTest, RefusesAHeadingWindowOutOfRange) {
   EXPECT_THROW(memory_.recognize(scan, 4.0), std::invalid_argument);
   EXPECT_THROW(memory_.recognize(scan, std::numeric_limits<double>::quiet_NaN()),
                std::invalid_argument);
+}
+
+TEST_F(PlaceMemoryTest, AScanWithoutAnEchoIsLearnedOnlyByForce) {
+  Scan silent;
+  try {
+    memory_.learn(silent, "open");
+    ADD_FAILURE() << "it was learned";
+  } catch (const PlaceMemoryError& error) {
+    EXPECT_EQ(error.reason(), PlaceMemoryError::Reason::kNoEcho);
+  }
+  EXPECT_TRUE(labels().empty());
+  EXPECT_EQ(memory_.learn(silent, "open", true).place.label, "open");
+  EXPECT_EQ(memory_.recognize(silent, kHeadingWindow).recognition.verdict, Verdict::kUnknown);
 }
 
 class StoredPlaceMemoryTest : public testing::Test {

@@ -123,6 +123,28 @@ TEST(Recognizer, AScanThatSensedNothingIsNotRecognized) {
   }
 }
 
+TEST(Recognizer, AScanWithoutAnEchoIsUnknownHoweverWellItsEmptyCellsAgree) {
+  Scan silent = scanIn(1, {});
+  for (SonarReading& reading : silent.readings) reading.range = INFINITY;
+  silent.grid = SonarModel({}).build(silent.readings, {});
+  PlaceIndex places = rooms(3);
+  places.put(4, silent.grid);
+  for (const SearchMethod method : kMethods) {
+    RecognizerOptions options = optionsWith(method);
+    options.calibration.right = {20.0};  // any other scan is taken for its best match
+    options.calibration.known = {20.0};
+    const Recognizer recognizer(options);
+    const Recognition found = ask(recognizer, silent, places, kWindow);
+    EXPECT_TRUE(found.no_echo);
+    EXPECT_EQ(found.verdict, Verdict::kUnknown);
+    ASSERT_EQ(found.matches.size(), 4U);
+    for (const PlaceMatch& match : found.matches) EXPECT_EQ(match.probability, 0.0);
+    const Recognition heard = ask(recognizer, scanIn(1, {}), places, kWindow);
+    EXPECT_FALSE(heard.no_echo);
+    EXPECT_EQ(heard.verdict, Verdict::kRecognized);
+  }
+}
+
 TEST(Recognizer, PlacesThatSensedNothingAreTakenInStride) {
   PlaceIndex places;
   places.put(1, EvidenceGrid());

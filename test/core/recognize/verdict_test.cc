@@ -46,7 +46,7 @@ TEST(CalibrationFeaturesOf, SharesAreThoseOfTheScansCells) {
   RescoringCounts near;
   near.near = {16, 18, 0, 0, 0, 25, 0};
   const CalibrationFeatures found =
-      calibrationFeatures(kAt, near, kOwn, {0, 3.0, 5.0, 7.0}, 4, 0.5);
+      calibrationFeatures({kAt, near, {-6.0, -4.0}}, kOwn, {0, 3.0, 5.0, 7.0}, 4, 0.5);
   EXPECT_EQ(found[named("bias")], 1.0);
   EXPECT_EQ(found[named("empty_on_empty")], 0.6);
   EXPECT_EQ(found[named("empty_on_occupied")], 0.1);
@@ -62,11 +62,19 @@ TEST(CalibrationFeaturesOf, SharesAreThoseOfTheScansCells) {
   EXPECT_EQ(found[named("mean_margin")], 2.5);
   EXPECT_EQ(found[named("unopposed")], 3.5);
   EXPECT_EQ(found[named("inverse_place_count")], 0.25);
+  EXPECT_DOUBLE_EQ(found[named("occupied_cells")], std::log(21.0));
+  EXPECT_DOUBLE_EQ(found[named("learned_occupied_cells")], std::log(35.0));
+  EXPECT_DOUBLE_EQ(found[named("cells_within_one")], std::log(17.0));
+  EXPECT_DOUBLE_EQ(found[named("cells_within_one_squared")], std::pow(std::log(17.0), 2));
+  EXPECT_DOUBLE_EQ(found[named("occupied_per_empty")], std::log(21.0 / 101.0));
+  EXPECT_DOUBLE_EQ(found[named("learned_occupied_per_empty")], std::log(35.0 / 72.0));
+  EXPECT_DOUBLE_EQ(found[named("fall_by_shift")], std::log(4.0));
+  EXPECT_DOUBLE_EQ(found[named("fall_by_rotation")], std::log(3.0));
 }
 
 TEST(CalibrationFeaturesOf, SharesAreNothingWhereTheScanHasNoSuchCell) {
   const PairCounts unsensed{{{0, 0, 0}, {0, 4096, 0}, {0, 0, 0}}};
-  const CalibrationFeatures found = calibrationFeatures(unsensed, {}, unsensed, {}, 2, 1.0);
+  const CalibrationFeatures found = calibrationFeatures({unsensed, {}, {}}, unsensed, {}, 2, 1.0);
   for (const char* name : {"empty_on_empty", "occupied_on_occupied", "empty_by_occupied",
                            "learned_occupied_on_occupied", "learned_empty_on_occupied"}) {
     EXPECT_EQ(found[named(name)], 0.0) << name;

@@ -35,7 +35,7 @@ class TinyRun(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.out = os.path.join(cls.folder.name, "out")
         cls.answer = run(TOOL, "--out", cls.out, "--sweeps", "chairs", "--figures",
-                         "--rearrangements", "2",
+                         "--rearrangements", "2", "--sparse",
                          "--worlds", WORLDS, *TINY)
 
     @classmethod
@@ -78,6 +78,14 @@ class TinyRun(unittest.TestCase):
                              ("recognized", "wrong", "unlearned_accepted")))
         self.assertEqual(rows["default", "1"]["trials"], rows["default_adapting", "1"]["trials"])
         self.assertIn("more than 1 ft astray", self.answer.stdout)
+
+    def test_strangers_are_not_taken_for_places_where_there_is_little_to_go_by(self):
+        rows = self.rows("sparse.csv")
+        self.assertEqual([row["case"] for row in rows],
+                         ["open space", "hall", "dead ring", "wrong units", "few sensors"])
+        for row in rows:
+            self.assertGreater(int(row["strangers"]), 0)
+            self.assertLessEqual(int(row["accepted"]), 1, row["case"])
 
     def test_draws(self):
         plots = os.path.join(self.folder.name, "plots")

@@ -9,6 +9,7 @@
 #include "training/calibration_fit.h"
 #include "training/preset_file.h"
 #include "training/ranking_fit.h"
+#include "training/sparse_lists.h"
 #include "training/strangers.h"
 
 namespace place_memory::training {
@@ -70,11 +71,35 @@ TEST(FitCalibration, TellsKnownScansFromStrangersBetterThanChance) {
     strangers.insert(strangers.end(), without.begin(), without.end());
   }
   const RankingWeights weights{asWeights(metric), preset.rescoring};
-  const core::Calibration calibration = fitCalibration(known, strangers, weights);
+  const core::Calibration calibration = fitCalibration({{known, strangers}}, weights);
   const CalibrationReport report = reportCalibration(known, strangers, weights, calibration, 0.6);
   EXPECT_GT(report.recognized, report.accepted);
   EXPECT_GT(report.refused, report.missed);
   EXPECT_LT(report.calibration_error, 0.25);
+}
+
+TEST(AlignSparse, StrangersAreThoseOfElsewhereAndThoseWithoutTheirPlaces) {
+  const trials::SparseTrials made = trials::simulateSparse(trials::SparseKind::kHall, 2);
+  const CalibrationScans scans = alignSparse(trials::SparseKind::kHall, 2, core::SonarModel{{}},
+                                             config::loadPreset("evidence").metric);
+  EXPECT_EQ(scans.known.size(), made.known.trials.size());
+  EXPECT_EQ(scans.strangers.size(), made.known.trials.size() + made.strangers.size());
+  for (const CandidateList& list : scans.strangers) {
+    for (const Candidate& candidate : list.candidates) EXPECT_FALSE(candidate.right);
+  }
+}
+
+TEST(FitCalibration, AScanWithoutAnOccupiedCellIsNeverRecognized) {
+  CalibrationScans silent = alignSparse(trials::SparseKind::kHall, 2, core::SonarModel{{}},
+                                        config::loadPreset("evidence").metric);
+  for (CandidateList& list : silent.known) list.own[8] = 0.0;  // occupied on occupied
+  core::Calibration sure;
+  sure.right = {20.0};
+  const RankingWeights weights{asWeights(config::loadPreset("evidence").metric), std::nullopt};
+  const CalibrationReport report =
+      reportCalibration(silent.known, silent.known, weights, sure, 0.8);
+  EXPECT_EQ(report.recognized + report.wrong + report.accepted, 0.0);
+  EXPECT_NEAR(report.missed, 1.0, 1e-9);
 }
 
 TEST(WritePreset, IsReadBackAsItWas) {
@@ -92,10 +117,10 @@ TEST(WritePreset, IsReadBackAsItWas) {
   rescoring.near = {1.0, -2.0, 4.0, -8.0, 0.5, 0.25, -0.125};
   preset.rescoring = rescoring;
   preset.calibration.scale = 0.5;
-  preset.calibration.right = {-1.0, 0.25, -0.5, -0.75, 2.0, 3.0,  4.0, 5.0,
-                              1.25, 0.5,  -8.0, 6.0,   7.0, -7.0, 9.0};
-  preset.calibration.known = {1.0,  0.5, -1.5, -2.75, 8.0, 2.0, 3.0, 6.0,
-                              2.25, 1.5, -4.0, 0.0,   1.0, 7.0, -9.0};
+  preset.calibration.right = {-1.0, 0.25, -0.5, -0.75, 2.0, 3.0, 4.0,  5.0, 1.25, 0.5, -8.0, 6.0,
+                              7.0,  -7.0, 9.0,  0.75,  1.5, 3.5, -2.5, 4.5, 8.5,  6.5, 7.5};
+  preset.calibration.known = {1.0, 0.5, -1.5, -2.75, 8.0,  2.0, 3.0,  6.0, 2.25, 1.5, -4.0, 0.0,
+                              1.0, 7.0, -9.0, 0.25,  -1.5, 2.5, -3.5, 4.0, 5.5,  6.0, 7.0};
   preset.calibration.sharpness = 0.0625;
   const std::string path = testing::TempDir() + "preset.yaml";
   writePreset(path, "Written by a test.", preset);

@@ -29,6 +29,12 @@ TEST(InWords, EachVerdictHasItsSentence) {
             "not recognised: the best of 2 places is \"e\" with probability 60 %");
 }
 
+TEST(InWords, AScanWithoutAnEchoIsNamedAsTheReason) {
+  Answer answer = makeAnswer(core::Verdict::kUnknown);
+  answer.recognition.no_echo = true;
+  EXPECT_TRUE(says(answer, "not recognised: no echo lies in the scan's grid"));
+}
+
 TEST(InWords, WhatBecameOfTheMapIsSaid) {
   Answer answer = makeAnswer(core::Verdict::kRecognized);
   EXPECT_FALSE(says(answer, ";"));
