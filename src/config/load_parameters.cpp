@@ -61,10 +61,11 @@ std::string checkOptionalTopic(const std::string& name) {
 }
 
 void readScan(ParameterReader& reader, ScanOptions& scan) {
-  reader.integer("scan/headings", closed(1, 3600), scan.headings);
+  reader.integer("scan/headings", closed(0, 3600), scan.headings);
   reader.number("scan/step", closed(kLeastStep, core::kPi), scan.step);
   reader.choice("scan/turn", {{"listen", Turn::kListen}, {"cmd_vel", Turn::kCmdVel}}, scan.turn);
   reader.number("scan/turn_rate", leftOpen(0.0, core::kPi), scan.turn_rate);
+  reader.number("scan/least_turn_rate", closed(0.0, core::kPi), scan.least_turn_rate);
   reader.number("scan/timeout", leftOpen(0.0, kLongest), scan.timeout);
   reader.integer("scan/min_readings", closed(1, 100000), scan.min_readings);
   reader.number("scan/tf_timeout", closed(0.0, 10.0), scan.tf_timeout);
@@ -144,6 +145,9 @@ void checkTogether(const Parameters& parameters, std::vector<std::string>& probl
                                      parameters.sonar_topics.end());
   if (topics.size() < parameters.sonar_topics.size()) {
     problems.push_back("sonar_topics: a topic is given twice");
+  }
+  if (parameters.scan.least_turn_rate > parameters.scan.turn_rate) {
+    problems.push_back("scan/least_turn_rate: must not exceed scan/turn_rate");
   }
   if (parameters.odom_frame == parameters.base_frame) {
     problems.push_back("odom_frame, base_frame: must not be the same frame");

@@ -23,11 +23,12 @@ constexpr double kLeastStep = 0.001;
 
 /// How a scan is taken (paper 3.1.4). config/place_memory.yaml says more of each.
 struct ScanOptions {
-  int headings = 11;
+  int headings = 0;                ///< 0: planned by the sensors
   double step = core::kPi / 90.0;  ///< [rad]
   Turn turn = Turn::kListen;
-  double turn_rate = 0.2;  ///< [rad/s]
-  double timeout = 60.0;   ///< [s]
+  double turn_rate = 0.2;        ///< [rad/s]
+  double least_turn_rate = 0.0;  ///< [rad/s]; 0: found out
+  double timeout = 60.0;         ///< [s]
   int min_readings = 8;
   double tf_timeout = 0.5;       ///< [s]
   double heading_timeout = 1.0;  ///< [s]

@@ -46,6 +46,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       parameters_(parameters),
       memory_(openMemory()),
       scans_(parameters_.scan.max_age),
+      examiner_(parameters_.sonar, [this](core::PlaceId id) { return memory_->grid(id); }),
       transforms_(names_, buffer_),
       scan_grid_(private_names_.advertise<nav_msgs::OccupancyGrid>(kScanGridTopic, 1, true)),
       answer_publisher_(private_names_, *memory_, parameters_),
@@ -59,7 +60,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
                        }),
       diagnostics_(names_, private_names_),
       services_(private_names_,
-                {*memory_, answer_publisher_, scans_, parameters_, store_problem_}) {
+                {*memory_, answer_publisher_, scans_, examiner_, parameters_, store_problem_}) {
   setUpDiagnostics();
   sayWhatIsKnown();
 }
@@ -73,6 +74,9 @@ void PlaceMemoryNode::setUpDiagnostics() {
   });
   diagnostics_.add("sensors",
                    [this](Status& status) { diagnoseSonars(scan_server_.health(), status); });
+  diagnostics_.add("sensor doctor", [this](Status& status) {
+    examiner_.diagnose(scan_server_.health().sensors, buffer_, parameters_.base_frame, status);
+  });
   diagnostics_.add("compass",
                    [this](Status& status) { diagnoseCompass(scan_server_.health(), status); });
   diagnostics_.add("transforms", [this](Status& status) {

@@ -21,6 +21,7 @@
 #include "node/map/map_frame_broadcaster.h"
 #include "node/map/map_publisher.h"
 #include "node/scan/scan_server.h"
+#include "node/scan/sensor_examiner.h"
 #include "place_memory/core/place_memory.h"
 
 namespace place_memory::node {
@@ -57,6 +58,7 @@ class PlaceMemoryNode {
   std::string store_problem_;  ///< why the store is not used; empty: it is, or none is configured
   const std::unique_ptr<core::PlaceMemory> memory_;
   KeptScans scans_;
+  SensorExaminer examiner_;
   tf2::BufferCore buffer_;
   TransformInput transforms_;
   ros::Publisher scan_grid_;

@@ -100,7 +100,8 @@ class FakeRobot:
         self._obeyed = 0
         self.sonar = rospy.Publisher(namespace + "/sonar", Range, queue_size=1000)
         self.heading = rospy.Publisher(namespace + "/heading", Imu, queue_size=1000)
-        self._commands = rospy.Subscriber(namespace + "/cmd_vel", Twist, self._on_command)
+        self.command_topic = namespace + "/cmd_vel"
+        self._commands = rospy.Subscriber(self.command_topic, Twist, self._on_command)
 
     def close(self):
         for topic in (self.sonar, self.heading, self._commands):

@@ -145,7 +145,8 @@ class LiveTestCase(unittest.TestCase):
         LiveTestCase.nodes += 1
         namespace = "/test_%d" % LiveTestCase.nodes
         # Readings wait as long as a slow machine needs to bring their transforms.
-        given = {"scan/tf_timeout": 3.0, "scan/heading_timeout": 3.0, "scan/turn_rate": 1.0}
+        given = {"scan/tf_timeout": 3.0, "scan/heading_timeout": 3.0, "scan/turn_rate": 1.0,
+                 "scan/headings": 11}
         given.update({name.replace("__", "/"): value for name, value in parameters.items()})
         self.robot = self.robot_type(self.world, namespace, sonar_room.HALL)
         self.addCleanup(self.robot.close)

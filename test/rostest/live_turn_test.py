@@ -5,9 +5,11 @@ import math
 import os
 
 from place_memory.msg import ScanPlaceGoal, ScanPlaceResult
+from place_memory.srv import LearnPlaceResponse
 import rosnode
 import rospy
 
+import fake_robot
 import live_test
 from live_test import GoalStatus
 import sonar_room
@@ -100,6 +102,48 @@ class LiveTurnTest(live_test.LiveTestCase):
         self.robot.turn = lambda angle: None
         scan = self.begin_turn(timeout=rospy.Duration(2))
         self.assert_stopped(scan, GoalStatus.ABORTED, ScanPlaceResult.TIMEOUT, "first heading")
+
+    def test_a_base_that_turns_the_other_way_is_stopped(self):
+        self.start_node()
+        turn = self.robot.turn
+        self.robot.turn = lambda angle: turn(-angle)
+        result = self.assert_stopped(self.begin_turn(), GoalStatus.ABORTED,
+                                     ScanPlaceResult.BASE_DISOBEYS, "turns the other way",
+                                     "swap the sign of angular.z", self.robot.command_topic)
+        self.assertLess(self.turned(), 0.5, result.message)
+
+    def test_a_base_that_does_not_turn_is_named(self):
+        self.start_node()
+        self.robot.turn = lambda angle: None
+        self.assert_stopped(self.begin_turn(), GoalStatus.ABORTED, ScanPlaceResult.BASE_DISOBEYS,
+                            "does not turn", "1.00 rad/s", self.robot.command_topic)
+
+    def test_a_base_with_a_dead_band(self):
+        self.start_node(scan__turn_rate=0.3, scan__least_turn_rate=0.1)
+        turn = self.robot.turn
+        self.robot.turn = lambda angle: turn(angle if abs(angle) >= 0.1 * fake_robot.STEP else 0.0)
+        self.assert_stopped(self.begin_turn(), GoalStatus.SUCCEEDED, ScanPlaceResult.SUCCEEDED)
+
+    def test_a_scan_plans_its_turn_by_the_sensors(self):
+        self.start_node(scan__headings=0)
+        self.run_for(2.0)
+        scan = self.begin_turn()
+        self.assert_stopped(scan, GoalStatus.SUCCEEDED, ScanPlaceResult.SUCCEEDED, "sensors leave",
+                            "headings")
+        self.assertIn("sensors leave", scan.feedback[-1].message)
+
+    def test_a_compass_that_stands_still_makes_a_scan_doubtful(self):
+        self.start_node(scan__turn_rate=0.5)
+        self.robot.edit_heading = lambda message: fake_robot.heading_message(
+            0.3, message.header.stamp)
+        scan = self.begin_turn()
+        result = self.finish(scan)
+        self.assertEqual(result.status, ScanPlaceResult.SUCCEEDED, result.message)
+        self.assertIn("stands still", result.message)
+        answer = self.node.call("learn_place", label="here")
+        self.assertEqual(answer.status, LearnPlaceResponse.DOUBTFUL_SCAN, answer.message)
+        self.assertIn("stands still", answer.message)
+        self.assertEqual(self.labels(), [])
 
     def test_a_heading_that_goes_stale_stops_the_robot(self):
         self.start_node(odom_frame="", scan__heading_timeout=1.0)

@@ -33,6 +33,7 @@ class PLACE_MEMORY_PUBLIC PlaceMemoryError : public std::runtime_error {
     kInvalidScan,     ///< a pose that is not finite
     kWrongCells,      ///< cells of another size than the map's
     kAlreadyLearned,  ///< this very scan is a place already
+    kDoubtfulScan,    ///< something speaks against the scan (Scan::doubt)
     kStoreFailed,     ///< the store could not be read or written; the memory is as it was
     kNoEcho,          ///< no echo lies in the scan's grid: nothing could be recognized by it
   };

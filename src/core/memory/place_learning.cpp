@@ -68,6 +68,10 @@ void PlaceMemory::Impl::check(const Scan& scan) const {
 PlaceMemory::Learned PlaceMemory::Impl::learn(const Scan& scan, const std::string& label,
                                               bool force) {
   check(scan);
+  if (!force && !scan.doubt.empty()) {
+    throw PlaceMemoryError(Reason::kDoubtfulScan, "the scan is not to be relied on: " + scan.doubt +
+                                                      "; scan again, or learn it with force");
+  }
   if (!force && !holdsEcho(scan)) refuseWithoutEcho();
   std::uint64_t question = 0;
   {

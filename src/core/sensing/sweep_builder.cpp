@@ -23,9 +23,11 @@ Scan makeScan(const std::vector<LocatedReading>& readings, const Pose2d& fixed_f
   const Pose2d scan_from_fixed = fixed_from_scan.inverse();
   Scan scan;
   scan.readings.reserve(readings.size());
+  scan.sensors.reserve(readings.size());
   for (const LocatedReading& located : readings) {
     SonarReading& reading = scan.readings.emplace_back(located.reading);
     reading.sensor_pose = scan_from_fixed * reading.sensor_pose;
+    scan.sensors.push_back(located.sensor);
   }
   scan.grid = model.build(scan.readings, geometry);
   scan.echoes = countEchoes(scan.readings, geometry);

@@ -150,6 +150,10 @@ void PlaceServices::match(const core::Scan& scan, std::optional<double> window,
                                               : "; headings near odometry's yaw were tried";
     }
     context_.publisher.publish(scan, answer, response.recognition);
+    if (answer.recognition.verdict == core::Verdict::kRecognized) {
+      const core::PlaceMatch& best = answer.recognition.matches.front();
+      context_.examiner.add(scan, best.id, best.place_from_scan);
+    }
     ROS_INFO("Scan %lu: %s", static_cast<unsigned long>(scan.id), response.message.c_str());
   } catch (const std::exception& error) {
     if (!is_cancelled()) throw;

@@ -21,6 +21,7 @@
 #include "node/answer/answer_publisher.h"
 #include "node/answer/kept_scans.h"
 #include "node/base/guarded_queue.h"
+#include "node/scan/sensor_examiner.h"
 #include "place_memory/core/place_memory.h"
 
 namespace place_memory::node {
@@ -36,6 +37,7 @@ class PlaceServices {
     core::PlaceMemory& memory;
     AnswerPublisher& publisher;
     const KeptScans& scans;
+    SensorExaminer& examiner;
     const config::Parameters& parameters;
     std::string store_problem;  ///< why places are not kept, a sentence for LearnPlace; empty: kept
   };

@@ -42,6 +42,8 @@ inline std::uint8_t toStatus<LearnPlace::Response>(core::PlaceMemoryError::Reaso
       return LearnPlace::Response::WRONG_CELLS;
     case Reason::kAlreadyLearned:
       return LearnPlace::Response::ALREADY_LEARNED;
+    case Reason::kDoubtfulScan:
+      return LearnPlace::Response::DOUBTFUL_SCAN;
     case Reason::kNoEcho:
       return LearnPlace::Response::NO_ECHO;
     default:

@@ -17,6 +17,7 @@ struct CompassHealth {
   std::uint32_t left_out = 0;          ///< of them
   std::string problem;                 ///< why the newest of those was left out, in a sentence
   std::chrono::nanoseconds silent{0};  ///< since the newest message
+  std::string doubt;  ///< what does not fit odometry, in a sentence; empty: nothing
 };
 
 /// What comes of the compass' messages. `now` is a time that never goes back.
@@ -34,7 +35,7 @@ class CompassHealthCount {
   }
 
   CompassHealth report(std::chrono::nanoseconds now) const {
-    return {heard_, messages_.at(now), left_out_.at(now), problem_, now - newest_};
+    return {heard_, messages_.at(now), left_out_.at(now), problem_, now - newest_, {}};
   }
 
  private:

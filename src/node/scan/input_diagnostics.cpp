@@ -115,6 +115,7 @@ void diagnoseCompass(const InputHealth& health, Status& status) {
                                     std::to_string(compass.messages) +
                                     " headings of the last 10 s are left out: " + compass.problem);
   }
+  if (!compass.doubt.empty()) status.mergeSummary(Level::WARN, compass.doubt);
   status.add("topic", topic);
   status.add("headings [Hz]", hertz(compass.messages));
   status.add("left out [Hz]", hertz(compass.left_out));

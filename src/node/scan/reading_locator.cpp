@@ -3,12 +3,6 @@
 #include "node/input/sensor_placement.h"
 
 namespace place_memory::node {
-namespace {
-
-// A sonar that looks up or down more steeply says nothing about the plane.
-constexpr double kLeastLevel = 0.1;
-
-}  // namespace
 
 bool ReadingLocator::mayCome(Reject reject) {
   return reject == Reject::kNoTransform || reject == Reject::kNoOdometry ||

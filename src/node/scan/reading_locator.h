@@ -18,6 +18,10 @@ namespace place_memory::node {
 /// so that a turning robot blurs nothing. It never waits.
 class ReadingLocator {
  public:
+  /// A sonar that looks up or down more steeply says nothing about the plane: length of its axis as
+  /// seen from above.
+  static constexpr double kLeastLevel = 0.1;
+
   /// All must outlive the locator.
   ReadingLocator(const config::Parameters& parameters, const tf2::BufferCore& buffer,
                  const core::HeadingHistory& headings)

@@ -40,14 +40,26 @@ ScanCollector::ScanCollector(const config::Parameters& parameters, const tf2::Bu
       model_(parameters.sonar),
       wait_(toNanoseconds(parameters.scan.tf_timeout)),
       history_(toNanoseconds(parameters.scan.heading_timeout)),
-      locator_(parameters, buffer, history_) {}
+      buffer_(buffer),
+      locator_(parameters, buffer, history_),
+      doubt_(parameters, locator_, history_) {}
 
 void ScanCollector::begin(std::chrono::nanoseconds start, int headings, double step) {
   drop();
   time_.observe(start);
-  sweep_.emplace(headings, step, health_.heardWithin(kLately, time_.passed()),
+  sweep_.emplace(std::max(headings, 1), step, health_.heardWithin(kLately, time_.passed()),
                  locator_.usesOdometry());
   start_ = start;
+  doubt_.beginScan(start);
+}
+
+std::vector<core::SensorMount> ScanCollector::mounts() const {
+  return mounts_.of(health_.heardWithin(kLately, time_.passed()), buffer_, parameters_.base_frame);
+}
+
+std::chrono::nanoseconds ScanCollector::heardFor() const {
+  const auto first = mounts_.first();
+  return first ? time_.passed() - *first : std::chrono::nanoseconds(0);
 }
 
 void ScanCollector::drop() {
@@ -106,6 +118,7 @@ void ScanCollector::addReading(const AdaptedReading& adapted, std::chrono::nanos
     }
     return;
   }
+  mounts_.note(measurement, time_.passed());
   if (!taken || before_scan) return;
   pending_.push_back({measurement, received + wait_});
 }
@@ -135,6 +148,7 @@ void ScanCollector::checkStamp(AdaptedReading& reading, std::chrono::nanoseconds
 void ScanCollector::forgetTime() {
   history_.clear();
   newest_stamps_.clear();
+  doubt_.clear();
   pending_.clear();
   compass_offset_.clearWaiting();
 }
@@ -169,6 +183,7 @@ void ScanCollector::use(const core::LocatedReading& reading) {
 
 void ScanCollector::process(std::chrono::nanoseconds now) {
   time_.observe(now);
+  doubt_.observe();
   if (!collecting()) return;
   compass_offset_.process(now, [this](std::chrono::nanoseconds stamp) -> std::optional<double> {
     std::string problem;

@@ -18,11 +18,13 @@
 #include "node/input/adapted_reading.h"
 #include "node/input/heading_check.h"
 #include "node/input/sensor_registry.h"
+#include "node/scan/compass_doubt.h"
 #include "node/scan/compass_health.h"
 #include "node/scan/problem_list.h"
 #include "node/scan/reading_locator.h"
 #include "node/scan/scan_status.h"
 #include "node/scan/sensor_health.h"
+#include "node/scan/sensor_mounts.h"
 #include "place_memory/core/scan.h"
 #include "place_memory/core/sonar_model.h"
 
@@ -41,6 +43,7 @@ class ScanCollector {
                 const SensorRegistry& registry);
 
   /// Starts a scan, dropping one that is under way. Readings stamped before `start` are not of it.
+  /// `headings` 0: somebody else knows when it is over.
   void begin(std::chrono::nanoseconds start, int headings, double step);
   bool collecting() const { return sweep_.has_value(); }
   /// Readings that come from now on are not of the scan.
@@ -83,10 +86,19 @@ class ScanCollector {
   const core::HeadingHistory& headings() const { return history_; }
   const ReadingLocator& locator() const { return locator_; }
 
+  /// Where the sensors look that were heard lately.
+  std::vector<core::SensorMount> mounts() const;
+  /// How long ago the first reading came that can be used; 0: none did.
+  std::chrono::nanoseconds heardFor() const;
+
   std::vector<SensorHealth> sensorHealth() const {
     return health_.report(registry_, time_.passed());
   }
-  CompassHealth compassHealth() const { return compass_health_.report(time_.passed()); }
+  CompassHealth compassHealth() const {
+    CompassHealth health = compass_health_.report(time_.passed());
+    health.doubt = doubt_.now();
+    return health;
+  }
 
   /// What is wrong with inputs since problems().clear(), scan or no scan.
   ProblemList& problems() { return problems_; }
@@ -117,8 +129,11 @@ class ScanCollector {
 
   core::ForwardTime time_;  // of the health
   core::HeadingHistory history_;
+  const tf2::BufferCore& buffer_;
   ReadingLocator locator_;
+  CompassDoubt doubt_;
   SensorHealthTable health_;
+  SensorMounts mounts_;
   CompassHealthCount compass_health_;
   core::NewestStamps newest_stamps_;
   ProblemList problems_;

@@ -50,8 +50,13 @@ ScanOutcome ScanCollector::outcome(std::chrono::nanoseconds end) const {
   std::ostringstream text;
   text << readings() << " readings at " << sweep_->coverage().headings() << " headings"
        << heard(*scan) << leftOut();
+  std::string problems = scan_problems_.inWords();
+  if (!scan->doubt.empty()) {
+    text << "; not to be relied on: " << scan->doubt;
+    problems += (problems.empty() ? "" : "; ") + scan->doubt;
+  }
   return {ScanStatus::kSucceeded, text.str(), std::make_shared<const core::Scan>(std::move(*scan)),
-          scan_problems_.inWords()};
+          problems};
 }
 
 std::optional<core::Scan> ScanCollector::snapshot(std::chrono::nanoseconds end) const {
@@ -59,6 +64,7 @@ std::optional<core::Scan> ScanCollector::snapshot(std::chrono::nanoseconds end) 
   const std::optional<double> offset = compassOffset();
   if (!offset) return std::nullopt;
   core::Scan scan = sweep_->scan(*offset, baseAtEnd(end), model_, parameters_.grid);
+  scan.doubt = doubt_.ofScan();
   scan.begin = start_;
   scan.end = end;
   return scan;

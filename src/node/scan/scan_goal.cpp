@@ -22,8 +22,10 @@ std::optional<ScanRequest> readGoal(const ScanPlaceGoal& goal, const config::Sca
   } else {
     ScanRequest request;
     request.headings = goal.headings == 0 ? defaults.headings : static_cast<int>(goal.headings);
-    request.step = goal.step == 0.0 ? defaults.step : goal.step;
+    const double step = request.headings == 0 ? 0.0 : defaults.step;
+    request.step = goal.step == 0.0 ? step : goal.step;
     request.timeout = timeout == 0.0 ? defaults.timeout : timeout;
+    request.longer_if_needed = timeout == 0.0;
     request.turn = defaults.turn;
     if (goal.turn == ScanPlaceGoal::TURN_LISTEN) request.turn = config::Turn::kListen;
     if (goal.turn == ScanPlaceGoal::TURN_CMD_VEL) request.turn = config::Turn::kCmdVel;

@@ -15,10 +15,11 @@ namespace place_memory::node {
 
 /// A goal of ~scan with the parameters in place of what it leaves open.
 struct ScanRequest {
-  int headings = 0;
-  double step = 0.0;  ///< [rad]
+  int headings = 0;   ///< 0: to be planned by the sensors there are
+  double step = 0.0;  ///< [rad]; 0: to be planned too
   config::Turn turn = config::Turn::kListen;
-  double timeout = 0.0;  ///< [s]
+  double timeout = 0.0;           ///< [s]
+  bool longer_if_needed = false;  ///< a planned turn may take longer
 };
 
 /// Nothing where a field is out of range; `problem` then says which.

@@ -142,7 +142,7 @@ void ScanServer::onGoal(const GoalHandle& goal) {
   goal_.setAccepted();
   timeRanBackwards(now);
   clock_.restart(steadyNow());
-  sweep_.emplace(*request, parameters_, collector_);
+  sweep_.emplace(*request, parameters_, collector_, names_.resolveName(kCommandTopic));
 }
 
 void ScanServer::onCancel(const GoalHandle& goal) {
@@ -214,6 +214,7 @@ void ScanServer::report(std::chrono::nanoseconds now) {
   if (steady - last_feedback_ >= kFeedbackPeriod) {
     last_feedback_ = steady;
     ScanPlaceFeedback feedback;
+    feedback.message = sweep_->plan();
     if (collector_.collecting()) {
       const core::SweepCoverage& coverage = collector_.sweep().coverage();
       feedback.fraction = static_cast<float>(coverage.fraction());

@@ -28,6 +28,8 @@ const char* toString(ScanStatus status) {
       return "no_odometry";
     case ScanStatus::kFailed:
       return "failed";
+    case ScanStatus::kBaseDisobeys:
+      return "base_disobeys";
   }
   return "unknown";
 }

@@ -25,6 +25,7 @@ enum class ScanStatus : std::uint8_t {
   kShutdown = ScanPlaceResult::SHUTDOWN,
   kNoOdometry = ScanPlaceResult::NO_ODOMETRY,
   kFailed = ScanPlaceResult::FAILED,
+  kBaseDisobeys = ScanPlaceResult::BASE_DISOBEYS,
 };
 
 /// One word, e.g. "too_few_readings"; of success "ok".

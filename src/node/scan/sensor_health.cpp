@@ -42,6 +42,7 @@ std::vector<SensorHealth> SensorHealthTable::report(const SensorRegistry& regist
   for (const auto& [id, sensor] : sensors_) {
     if (isReplaced(id, registry, now)) continue;
     SensorHealth& health = report.emplace_back();
+    health.id = id;
     health.name = registry.nameOf(id);
     health.topic = registry.topicOf(id);
     if (id != kOtherSensors) health.frame = registry.frameOf(id);

@@ -21,6 +21,7 @@ constexpr std::chrono::nanoseconds kSensorSilence = std::chrono::seconds(5);
 
 /// How one sensor is.
 struct SensorHealth {
+  core::SensorId id = 0;
   std::string name;  ///< for people
   std::string topic;
   std::string frame;                   ///< empty: unknown

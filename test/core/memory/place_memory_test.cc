@@ -62,6 +62,15 @@ TEST_F(PlaceMemoryTest, AnOddScanDoesNotMakeAPlace) {
   EXPECT_EQ(memory_.size(), 0U);
 }
 
+TEST_F(PlaceMemoryTest, RefusesAScanThatIsNotToBeReliedOn) {
+  Scan scan = makeRandomScan(1);
+  scan.doubt = "the compass stands still";
+  expectRefused(Reason::kDoubtfulScan, [&] { memory_.learn(scan, "a"); });
+  EXPECT_EQ(memory_.size(), 0U);
+  memory_.learn(scan, "a", true);
+  EXPECT_EQ(memory_.size(), 1U) << "with force";
+}
+
 TEST_F(PlaceMemoryTest, RefusesAScanOfOtherCells) {
   const Scan scan = makeRandomScan(1, 0.2);
   expectRefused(Reason::kWrongCells, [&] { memory_.learn(scan, "a"); });

@@ -21,12 +21,21 @@ class SweepTest : public ScanCollectorTest {
     return Sweep(request, parameters_, collector());
   }
 
+  // One that plans its turn.
+  Sweep planned(config::Turn turn, double timeout = 20.0) {
+    ScanRequest request;
+    request.turn = turn;
+    request.timeout = timeout;
+    request.longer_if_needed = timeout == 0.0;
+    return Sweep(request, parameters_, collector());
+  }
+
   // Lets the sweep go on until it is over, or for so many seconds. Returns how it ended.
   std::optional<ScanOutcome> run(Sweep& sweep, double seconds) {
     for (const double end = now_ + seconds; now_ < end; now_ += kTick) {
-      robot_.yaw += rate_ * kTick;
+      robot_.yaw += gain_ * rate_ * kTick;
       if (has_odometry_) odometry(now_, robot_);
-      heading(now_, robot_.yaw);
+      heading(now_, compass_gain_ * robot_.yaw);
       for (int k = 0; k < kSensors; ++k) range(now_, k, 1.0);
       process(now_);
       const Sweep::Step step = sweep.update(toNanoseconds(now_));
@@ -40,6 +49,8 @@ class SweepTest : public ScanCollectorTest {
   double now_ = kStart;
   core::Pose2d robot_;
   double rate_ = 0.0;
+  double gain_ = 1.0;          // of the base
+  double compass_gain_ = 1.0;  // of the compass
   bool has_odometry_ = true;
   std::set<ScanPhase> phases_;
 };
@@ -109,6 +120,82 @@ TEST_F(SweepTest, ATimeoutSaysThatNothingTurnedTheRobot) {
   ASSERT_TRUE(outcome);
   EXPECT_EQ(outcome->status, ScanStatus::kTimeout);
   EXPECT_NE(outcome->message.find("nothing turned the robot"), std::string::npos);
+}
+
+TEST_F(SweepTest, PlansItsTurnByTheSensorsThereAre) {
+  Sweep sweep = planned(config::Turn::kCmdVel, 0.0);
+  const auto outcome = run(sweep, 200.0);
+  ASSERT_TRUE(outcome);
+  ASSERT_TRUE(outcome->scan) << outcome->message;
+  EXPECT_NE(outcome->message.find("4 sensors leave a gap of 67.1 degrees"), std::string::npos)
+      << outcome->message;
+  EXPECT_GT(sweep.request().headings, 11);
+  EXPECT_NEAR((sweep.request().headings - 1) * sweep.request().step, 1.37, 0.1);
+  EXPECT_GT(sweep.request().timeout, 20.0) << "as long as the turn needs";
+  EXPECT_NEAR(robot_.yaw, 0.0, 0.02);
+}
+
+TEST_F(SweepTest, SaysHowFarSomebodyIsToTurnTheRobot) {
+  Sweep sweep = planned(config::Turn::kListen);
+  const auto outcome = run(sweep, 21.0);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->status, ScanStatus::kTimeout);
+  EXPECT_NE(outcome->message.find("4 sensors leave a gap"), std::string::npos) << outcome->message;
+  EXPECT_NE(outcome->message.find("nothing turned the robot"), std::string::npos);
+}
+
+TEST_F(SweepTest, ABaseThatTurnsTheOtherWayIsStoppedWithAWord) {
+  gain_ = -1.0;
+  Sweep sweep = sweepOf(config::Turn::kCmdVel, 11);
+  const auto outcome = run(sweep, 2.0);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->status, ScanStatus::kBaseDisobeys);
+  EXPECT_NE(outcome->message.find("turns the other way"), std::string::npos) << outcome->message;
+  EXPECT_NE(outcome->message.find("swap the sign of angular.z"), std::string::npos);
+  EXPECT_LT(std::abs(robot_.yaw), 0.15);
+}
+
+TEST_F(SweepTest, OdometryOfTheWrongSignIsNamedByTheCompass) {
+  gain_ = -1.0;
+  compass_gain_ = -1.0;
+  Sweep sweep = sweepOf(config::Turn::kCmdVel, 11);
+  const auto outcome = run(sweep, 2.0);
+  ASSERT_TRUE(outcome);
+  EXPECT_NE(outcome->message.find("swap the sign of odometry's yaw"), std::string::npos)
+      << outcome->message;
+}
+
+TEST_F(SweepTest, ABaseThatStandsIsToldFromOneThatIsSlow) {
+  gain_ = 0.0;
+  Sweep standing = sweepOf(config::Turn::kCmdVel, 11);
+  auto outcome = run(standing, 19.0);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->status, ScanStatus::kBaseDisobeys);
+  EXPECT_NE(outcome->message.find("does not turn"), std::string::npos) << outcome->message;
+  EXPECT_NE(outcome->message.find("0.20 rad/s were sent on cmd_vel"), std::string::npos);
+
+  collector().drop();
+  gain_ = 0.05;
+  Sweep slow = sweepOf(config::Turn::kCmdVel, 11);
+  outcome = run(slow, 21.0);
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(outcome->status, ScanStatus::kTimeout);
+  EXPECT_NE(outcome->message.find("turned by 0."), std::string::npos) << outcome->message;
+}
+
+TEST_F(SweepTest, AScanWhoseCompassDoesNotFollowOdometryIsDoubtful) {
+  for (const double gain : {0.0, -1.0}) {
+    compass_gain_ = gain;
+    collector().drop();
+    Sweep sweep = sweepOf(config::Turn::kCmdVel, 11);
+    const auto outcome = run(sweep, 20.0);
+    ASSERT_TRUE(outcome);
+    ASSERT_TRUE(outcome->scan) << outcome->message;
+    const char* word = gain == 0.0 ? "stands still" : "turns the other way";
+    EXPECT_NE(outcome->scan->doubt.find(word), std::string::npos) << outcome->scan->doubt;
+    EXPECT_NE(outcome->message.find("not to be relied on"), std::string::npos);
+    EXPECT_NE(collector().compassHealth().doubt.find(word), std::string::npos);
+  }
 }
 
 }  // namespace
