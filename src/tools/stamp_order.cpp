@@ -9,7 +9,7 @@ namespace {
 // The stamps of one input do not go back further.
 constexpr double kMaxDisorder = 1.0;
 
-// So much later than expected a stamp may lie, beyond what BagClock::lateness counts.
+// A stamp that is credible lies at most so long after the record.
 constexpr double kMargin = 1.0;
 
 }  // namespace

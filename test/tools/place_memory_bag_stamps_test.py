@@ -33,6 +33,14 @@ class StampsTest(bag_tool.BagToolTest):
                     abs(offset), "ahead of" if offset > 0.0 else "behind")
                 self.assertEqual(self.answers_of(self.skewed(offset), said=[said]), right)
 
+    def test_a_clock_of_the_recorder_that_is_set_makes_no_difference(self):
+        """As where it finds a time server on the way."""
+        right = self.answers_of(self.bag)
+        middle = self.rooms.events[6].start + 2.0
+        bag = self.copy_bag("step.bag", lambda topic, message, stamp: (
+            topic, message, stamp + rospy.Duration(6 if stamp.to_sec() > middle else 0)))
+        self.assertEqual(self.answers_of(bag), right)
+
     def test_a_recorder_that_is_held_up_makes_no_difference(self):
         """As where a slow disk or network delivers in bursts of four seconds."""
         def hold_up(topic, message, stamp):
