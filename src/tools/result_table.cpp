@@ -30,6 +30,8 @@ std::string toString(core::PlaceMemoryError::Reason reason) {
       return "store_failed";
     case Reason::kNoEcho:
       return "no_echo";
+    case Reason::kDoubtfulScan:
+      return "doubtful_scan";
   }
   return {};
 }

@@ -31,10 +31,15 @@ class SensorMounts {
   std::optional<std::chrono::nanoseconds> first() const { return first_; }
 
  private:
-  struct Mount {
-    std::string frame;
+  struct Cone {
     core::Pose2d frame_from_sensor;
     double field_of_view = 0.0;
+  };
+  /// A laser's message has many cones of one sensor: those of the newest stamp stay.
+  struct Mount {
+    std::string frame;
+    std::chrono::nanoseconds stamp{0};
+    std::vector<Cone> cones;
   };
 
   std::map<core::SensorId, Mount> mounts_;
