@@ -141,8 +141,12 @@ TEST(SensorDoctor, NamesTheOneFaultOfEachOfTwentyRobots) {
           << which << ": sensor " << d.sensor << (faulty ? " (the faulty one) " : " ")
           << d.yaw_error / kDegree << " +- " << d.uncertainty / kDegree;
       if (!faulty || d.fault != fault.kind) continue;
-      if (d.fault == SensorFault::kCrosstalk) EXPECT_EQ(d.other, fault.other) << which;
-      if (d.fault == SensorFault::kBlocked) EXPECT_NEAR(d.range, 0.3, 0.05) << which;
+      if (d.fault == SensorFault::kCrosstalk) {
+        EXPECT_EQ(d.other, fault.other) << which;
+      }
+      if (d.fault == SensorFault::kBlocked) {
+        EXPECT_NEAR(d.range, 0.3, 0.05) << which;
+      }
       if (d.fault == SensorFault::kMountedOff) {
         EXPECT_NEAR(d.yaw_error, fault.yaw, std::max(3.0 * d.uncertainty, 5.0 * kDegree)) << which;
       }
