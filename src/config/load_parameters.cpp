@@ -48,6 +48,10 @@ std::string checkTopic(const std::string& name) {
   return {};
 }
 
+std::string checkOptionalTopic(const std::string& name) {
+  return name.empty() ? std::string() : checkTopic(name);
+}
+
 void readScan(ParameterReader& reader, ScanOptions& scan) {
   reader.integer("scan/headings", closed(1, 3600), scan.headings);
   reader.number("scan/step", closed(kLeastStep, core::kPi), scan.step);
@@ -96,7 +100,7 @@ Parameters readAll(ParameterReader& reader) {
   reader.text("map_frame", checkFrame, parameters.map_frame);
   reader.flag("tf_broadcast", parameters.tf_broadcast);
   reader.texts("sonar_topics", checkTopic, parameters.sonar_topics);
-  reader.text("heading_topic", checkTopic, parameters.heading_topic);
+  reader.text("heading_topic", checkOptionalTopic, parameters.heading_topic);
   reader.text("store", checkStorePath, parameters.store);
   parameters.store = absoluteStorePath(parameters.store);
   reader.number("time_jump_tolerance", closed(0.0, 60.0), parameters.time_jump_tolerance);

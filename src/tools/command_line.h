@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/drive_run.h"
+
 namespace place_memory::tools {
 
 /// What place_memory_bag is told.
@@ -14,7 +16,8 @@ struct Arguments {
   std::string events;  ///< empty: the stretches where the robot stands or turns are taken
   std::string out;
   std::vector<std::string> params;
-  std::string store;  ///< from the root; empty: that of the parameters
+  std::string store;     ///< from the root; empty: that of the parameters
+  DriveArguments drive;  ///< where its mode is empty, events are answered
 };
 
 /// Nothing where help was asked for, which is then written to `help`. Throws std::exception that

@@ -16,6 +16,7 @@
 #include "tools/bag_scanner.h"
 #include "tools/child_process.h"
 #include "tools/command_line.h"
+#include "tools/drive_run.h"
 #include "tools/event_table.h"
 #include "tools/result_table.h"
 #include "tools/standing_stretches.h"
@@ -114,6 +115,10 @@ int process(const Arguments& arguments) {
   config::Parameters parameters = config::loadParameters(arguments.params);
   if (!arguments.store.empty()) parameters.store = arguments.store;
   const BagTimes times = checkBag(arguments.bag, parameters);
+  if (!arguments.drive.mode.empty()) {
+    runDrive(arguments.bag, arguments.drive, parameters);
+    return EXIT_SUCCESS;
+  }
   std::vector<Event> events = loadEvents(arguments, parameters, times.first);
   const BagScanner scanner = openScanner(arguments.bag, parameters);
   core::PlaceMemory memory(config::memoryOptions(parameters));
@@ -145,10 +150,11 @@ int runTool(int argc, char** argv) {
   return guarded([&] {
     const auto arguments = readArguments(argc, argv, std::cout);
     if (!arguments) return EXIT_SUCCESS;
-    return runInChild([&] { return guarded([&] { return process(*arguments); }); },
-                      "the bag " + arguments->bag +
-                          " is damaged, most likely. What was answered before is in " +
-                          arguments->out);
+    return runInChild(
+        [&] { return guarded([&] { return process(*arguments); }); },
+        "the bag " + arguments->bag + " is damaged, most likely" +
+            (arguments->out.empty() ? std::string()
+                                    : ". What was answered before is in " + arguments->out));
   });
 }
 
