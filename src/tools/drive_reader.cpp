@@ -11,6 +11,7 @@
 #include <deque>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -46,13 +47,22 @@ struct Moved {
 };
 
 /// A message, by the stamp in it. Of one stamp the transforms come last: all that is known of a
-/// moment is there when odometry has come to it.
+/// moment is there when odometry has come to it. What else has one stamp is ordered by its frame,
+/// and not by which was recorded first.
 struct Moment {
   nanoseconds stamp{0};
   std::variant<Heading, core::Measurement, Moved> what;
 
+  const std::string& frame() const {
+    static const std::string kNone;
+    if (const auto* measurement = std::get_if<core::Measurement>(&what)) return measurement->frame;
+    if (const auto* moved = std::get_if<Moved>(&what)) return moved->transform.child_frame_id;
+    return kNone;
+  }
+
   bool operator<(const Moment& other) const {
-    return std::make_pair(stamp, what.index()) < std::make_pair(other.stamp, other.what.index());
+    const std::size_t kind = what.index(), other_kind = other.what.index();
+    return std::tie(stamp, kind, frame()) < std::tie(other.stamp, other_kind, other.frame());
   }
 };
 
