@@ -58,7 +58,7 @@ TEST(DriveTables, EveryRowHasTheColumnsOfItsHeader) {
 }
 
 TEST(DriveTable, IsWrittenOnlyWhereItHasAPath) {
-  const core::TemporaryFolder folder;
+  const TemporaryFolder folder;
   const std::string path = folder.file("t.csv");
   DriveTable none("", "t");
   none.add("1");
