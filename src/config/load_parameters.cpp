@@ -14,7 +14,8 @@ namespace place_memory::config {
 namespace {
 
 constexpr double kLongest = 3600.0;  // [s]
-constexpr double kDay = 86400.0;     // [s]
+constexpr std::size_t kMostMounts = 64;
+constexpr double kDay = 86400.0;  // [s]
 
 Interval closed(double low, double high) { return {low, high, true, true}; }
 Interval open(double low, double high) { return {low, high, false, false}; }
@@ -22,10 +23,10 @@ Interval leftOpen(double low, double high) { return {low, high, false, true}; }
 
 std::string anything(const std::string& /*text*/) { return {}; }
 
-// Of a frame of tf2: a leading slash is an error there.
-std::string checkFrame(const std::string& name) {
+// Of a frame; a leading slash, which tf2 does not know, is taken off later.
+std::string checkFrame(const std::string& slashed) {
+  const std::string name = support::withoutLeadingSlashes(slashed);
   if (name.empty()) return "must not be empty";
-  if (name.front() == '/') return "must not begin with a slash";
   if (support::hasControls(name)) return "must not hold line breaks or other control characters";
   if (support::trimmed(name) != name) return "must not begin or end with a blank";
   return {};
@@ -33,6 +34,12 @@ std::string checkFrame(const std::string& name) {
 
 std::string checkOptionalFrame(const std::string& name) {
   return name.empty() ? std::string() : checkFrame(name);
+}
+
+void readFrame(ParameterReader& reader, const std::string& name, bool optional,
+               std::string& frame) {
+  reader.text(name, optional ? checkOptionalFrame : checkFrame, frame);
+  frame = support::withoutLeadingSlashes(frame);
 }
 
 // Of a graph resource name (http://wiki.ros.org/Names).
@@ -72,6 +79,19 @@ void readSonar(ParameterReader& reader, core::SonarModelOptions& sonar) {
   reader.number("sonar/echo_depth", closed(0.5, 8.0), sonar.echo_depth);
 }
 
+void readInputs(ParameterReader& reader, Parameters& parameters) {
+  reader.flag("sonar/top_is_no_echo", parameters.no_echo.top);
+  reader.flag("sonar/zero_is_no_echo", parameters.no_echo.zero);
+  reader.number("heading/yaw_offset", closed(-core::kPi, core::kPi), parameters.heading.yaw_offset);
+  reader.flag("heading/reversed", parameters.heading.reversed);
+  reader.number("heading/declination", closed(-core::kPi, core::kPi),
+                parameters.heading.declination);
+  reader.number("cloud/max_range", leftOpen(0.0, 100.0), parameters.cloud.max_range);
+  reader.number("cloud/field_of_view", leftOpen(0.0, core::kPi), parameters.cloud.field_of_view);
+  reader.poses("cloud/mounts", kMostMounts, parameters.cloud.mounts);
+  reader.integer("laser/cones", closed(1, 200), parameters.laser.cones);
+}
+
 void readMatch(ParameterReader& reader, MatchOptions& match) {
   reader.text("match/preset", anything, match.preset);
   reader.choice("match/method",
@@ -95,17 +115,19 @@ void readPlaces(ParameterReader& reader, core::AdaptationOptions& places) {
 
 Parameters readAll(ParameterReader& reader) {
   Parameters parameters;
-  reader.text("odom_frame", checkOptionalFrame, parameters.odom_frame);
-  reader.text("base_frame", checkFrame, parameters.base_frame);
-  reader.text("map_frame", checkFrame, parameters.map_frame);
+  readFrame(reader, "odom_frame", true, parameters.odom_frame);
+  readFrame(reader, "base_frame", false, parameters.base_frame);
+  readFrame(reader, "map_frame", false, parameters.map_frame);
   reader.flag("tf_broadcast", parameters.tf_broadcast);
   reader.texts("sonar_topics", checkTopic, parameters.sonar_topics);
   reader.text("heading_topic", checkOptionalTopic, parameters.heading_topic);
+  reader.text("odom_topic", checkOptionalTopic, parameters.odom_topic);
   reader.text("store", checkStorePath, parameters.store);
   parameters.store = absoluteStorePath(parameters.store);
   reader.number("time_jump_tolerance", closed(0.0, 60.0), parameters.time_jump_tolerance);
   reader.number("grid/cell_size", closed(0.001, 100.0), parameters.grid.cell_size);
   readSonar(reader, parameters.sonar);
+  readInputs(reader, parameters);
   readScan(reader, parameters.scan);
   readMatch(reader, parameters.match);
   readPlaces(reader, parameters.places);
@@ -130,6 +152,20 @@ void checkTogether(const Parameters& parameters, std::vector<std::string>& probl
   if (parameters.odom_frame == parameters.base_frame) {
     problems.push_back("odom_frame, base_frame: must not be the same frame");
   }
+  if (parameters.odom_frame.empty() && parameters.heading_topic.empty()) {
+    problems.push_back(
+        "odom_frame, heading_topic: must not both be empty: a scan is laid along the compass or by "
+        "odometry");
+  }
+  if (parameters.odom_frame.empty() && !parameters.odom_topic.empty()) {
+    problems.push_back("odom_topic: needs an odom_frame, in which it says where the robot is");
+  }
+  std::set<std::string> others = topics;
+  for (const std::string& topic : {parameters.heading_topic, parameters.odom_topic}) {
+    if (!topic.empty() && !others.insert(topic).second) {
+      problems.push_back("sonar_topics, heading_topic, odom_topic: " + topic + " is given twice");
+    }
+  }
   if (parameters.tf_broadcast && parameters.odom_frame.empty()) {
     problems.push_back("tf_broadcast: without an odom_frame there is no transform to broadcast");
   }
@@ -141,6 +177,8 @@ void checkTogether(const Parameters& parameters, std::vector<std::string>& probl
 Parameters finish(ParameterReader& reader) {
   reader.renamed(renamedParameters());
   Parameters parameters = readAll(reader);
+  // Nothing says how far odometry's yaw is off.
+  if (parameters.heading_topic.empty()) parameters.match.heading_window = core::kPi;
   std::vector<std::string> problems = reader.problems();
   if (problems.empty()) checkTogether(parameters, problems);
   try {

@@ -247,6 +247,27 @@ void ParameterReader::texts(const std::string& name,
   value = given;
 }
 
+void ParameterReader::poses(const std::string& name, std::size_t most,
+                            std::vector<core::Pose2d>& value) {
+  const Entry* entry = find(name);
+  if (entry == nullptr) return;
+  if (!entry->value.IsSequence() || entry->value.size() > most) {
+    complain(name, *entry,
+             "must be a list of up to " + std::to_string(most) + " poses [x, y, yaw]");
+    return;
+  }
+  std::vector<core::Pose2d> given;
+  for (const YAML::Node& item : entry->value) {
+    const std::optional<core::Pose2d> pose = poseOf(item);
+    if (!pose) {
+      complain(name, {item, entry->source}, "each must be [x, y, yaw], of numbers up to 100");
+      return;
+    }
+    given.push_back(*pose);
+  }
+  value = given;
+}
+
 std::string ParameterReader::unknown(const std::string& name, const Entry& entry) const {
   const std::string where = support::printable(name) + " (" + entry.source + "): ";
   const auto now = renamed_.find(name);

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "place_memory/core/pose2d.h"
+
 namespace place_memory::config {
 
 /// Values a number may have: between the bounds, which count if they are closed.
@@ -44,6 +46,9 @@ class ParameterReader {
             std::string& value);
   void texts(const std::string& name, const std::function<std::string(const std::string&)>& check,
              std::vector<std::string>& value);
+
+  /// Poses, each [x, y, yaw] with [m, m, rad]; `most` at the most.
+  void poses(const std::string& name, std::size_t most, std::vector<core::Pose2d>& value);
 
   template <class Value>
   void choice(const std::string& name, const std::vector<std::pair<std::string, Value>>& choices,

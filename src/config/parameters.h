@@ -35,6 +35,31 @@ struct ScanOptions {
   bool over_range_is_no_echo = false;
 };
 
+/// What drivers say where no echo came, beside +inf (REP 117).
+struct NoEchoOptions {
+  bool top = true;   ///< max_range, a value that repeats at the top of the range, or FLT_MAX
+  bool zero = true;  ///< 0 from a sensor with min_range 0, or a negative value that repeats
+};
+
+/// How the compass counts.
+struct HeadingOptions {
+  double yaw_offset = 0.0;   ///< added to the yaw [rad], counter-clockwise
+  bool reversed = false;     ///< it counts against the sense that its message type says
+  double declination = 0.0;  ///< of magnetic north from true north [rad], east is positive
+};
+
+/// Sonars of which a driver says nothing but points, one cloud for the whole ring.
+struct CloudOptions {
+  double max_range = 5.0;            ///< [m]
+  double field_of_view = 0.35;       ///< [rad]
+  std::vector<core::Pose2d> mounts;  ///< of the sensors, in the cloud's frame; empty: inferred
+};
+
+/// Laser scans, taken as a fan of cones.
+struct LaserOptions {
+  int cones = 72;
+};
+
 /// How a scan is matched against the learned places (paper 4).
 struct MatchOptions {
   std::string preset = "evidence";          ///< evidence, paper, or the path of a preset file
@@ -54,12 +79,17 @@ struct Parameters {
   std::string map_frame = "map";
   bool tf_broadcast = false;  ///< map_frame -> odom_frame
   std::vector<std::string> sonar_topics = {"sonar"};
-  std::string heading_topic = "heading";
-  std::string store;                 ///< path; empty: in memory only
+  std::string heading_topic = "heading";  ///< empty: no compass, odometry's yaw is used
+  std::string odom_topic;  ///< of nav_msgs/Odometry where nothing broadcasts tf; empty: none
+  std::string store;       ///< path; empty: in memory only
   double time_jump_tolerance = 1.0;  ///< [s]
 
   core::GridGeometry grid;
   core::SonarModelOptions sonar;
+  NoEchoOptions no_echo;
+  HeadingOptions heading;
+  CloudOptions cloud;
+  LaserOptions laser;
   ScanOptions scan;
   MatchOptions match;
   core::AdaptationOptions places;

@@ -1,6 +1,8 @@
 #include "config/yaml_value.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <regex>
 #include <sstream>
@@ -164,6 +166,19 @@ std::optional<double> numberOf(const YAML::Node& node) {
 std::optional<bool> flagOf(const YAML::Node& node) {
   if (kindOf(node) != ValueKind::kFlag) return std::nullopt;
   return readFlag(node.Scalar());
+}
+
+std::optional<core::Pose2d> poseOf(const YAML::Node& node) {
+  constexpr double kLargest = 100.0;
+  if (!node.IsSequence() || node.size() != 3) return std::nullopt;
+  std::array<double, 3> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::optional<double> number = numberOf(node[i]);
+    // Written so that NaN fails.
+    if (!number || !(std::abs(*number) <= kLargest)) return std::nullopt;
+    numbers[i] = *number;
+  }
+  return core::Pose2d{numbers[0], numbers[1], numbers[2]};
 }
 
 std::string shown(const YAML::Node& node) {

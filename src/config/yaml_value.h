@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "place_memory/core/pose2d.h"
+
 namespace place_memory::config {
 
 /// What roslaunch and rosparam take a value for, by YAML 1.1, which differs from the rules of
@@ -21,6 +23,9 @@ ValueKind kindOf(const YAML::Node& node);
 std::optional<double> numberOf(const YAML::Node& node);
 
 std::optional<bool> flagOf(const YAML::Node& node);
+
+/// A list [x, y, yaw] of three numbers [m, m, rad], none larger than 100; nothing where it is none.
+std::optional<core::Pose2d> poseOf(const YAML::Node& node);
 
 /// The value in a sentence, as 'many' or "a list".
 std::string shown(const YAML::Node& node);

@@ -140,6 +140,10 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(begin, text.find_last_not_of(" \t") - begin + 1));
 }
 
+std::string withoutLeadingSlashes(std::string_view name) {
+  return std::string(name.substr(std::min(name.find_first_not_of('/'), name.size())));
+}
+
 std::optional<double> parseDecimal(std::string_view text) {
   if (!isDecimal(text)) return std::nullopt;
   std::istringstream stream{std::string(text)};

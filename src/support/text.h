@@ -27,6 +27,9 @@ std::string readWholeFile(const std::string& path);
 /// The text without blanks and tabs at either end.
 std::string trimmed(std::string_view text);
 
+/// A name of tf as tf2 has it: /base_link and base_link are one frame.
+std::string withoutLeadingSlashes(std::string_view name);
+
 /// A decimal number as 12, -.5 or 1e-2, whatever the locale; infinite where it is too large.
 /// Nothing where the text is anything else.
 std::optional<double> parseDecimal(std::string_view text);

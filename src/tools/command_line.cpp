@@ -17,14 +17,18 @@ po::options_description describe(Arguments& arguments) {
   po::options_description options("Options");
   auto add = options.add_options();
   add("help,h", "show this text");
-  add("bag", po::value(&arguments.bag)->required(), "rosbag with sonar, heading and tf");
+  add("bag", po::value(&arguments.bags)->required()->multitoken()->composing(),
+      "rosbag with sonar, heading and tf; several, as the parts of a long recording, are read as "
+      "one");
   add("events", po::value(&arguments.events),
       "table of what to do: start,end,action,label,heading_window,force [s, s, learn|recognize, "
-      "text, rad, true|false]; +12.5: so many seconds after the first message; force may be left "
-      "out. Without a table every stretch where the robot stands or turns on the spot is "
-      "recognized, "
-      "and learned where no place fits");
+      "text, rad, true|false]; times are those of header stamps; +12.5: so many seconds after the "
+      "first one; force may be left out. Without a table every stretch where the robot stands or "
+      "turns on the spot is recognized, and learned where no place fits");
   add("out", po::value(&arguments.out), "table of results to write, a row for each event");
+  add("report", po::value(&arguments.report),
+      "page to write (HTML, all in one file): pictures of each scan and its match, what was left "
+      "out and why, the map");
   add("params", po::value(&arguments.params)->composing(),
       "parameters, laid out as config/place_memory.yaml; where several files give one, the last "
       "holds");
@@ -63,8 +67,8 @@ void checkTogether(const Arguments& arguments) {
   if (drive.mode != "map" && drive.mode != "localize") {
     throw std::runtime_error("--mode is map or localize, not '" + drive.mode + "'");
   }
-  if (!arguments.events.empty() || !arguments.out.empty()) {
-    throw std::runtime_error("--events and --out do not go with --mode: leave them out");
+  if (!arguments.events.empty() || !arguments.out.empty() || !arguments.report.empty()) {
+    throw std::runtime_error("--events, --out and --report do not go with --mode: leave them out");
   }
 }
 
@@ -93,10 +97,10 @@ std::optional<Arguments> readArguments(int argc, const char* const* argv, std::o
   po::variables_map given;
   po::store(po::command_line_parser(argc, argv).options(all).positional(positions).run(), given);
   if (given.count("help") > 0) {
-    help << "usage: place_memory_bag --bag F [--events F] --out F [--params F]... [--store F]\n"
-            "       place_memory_bag --bag F --mode map|localize [--trajectory F] [--final F] "
-            "[--map "
-            "F] [--answers F] [--params F]... [--store F]\n\n"
+    help << "usage: place_memory_bag --bag F... [--events F] --out F [--report F] [--params F]... "
+            "[--store F]\n"
+            "       place_memory_bag --bag F... --mode map|localize [--trajectory F] [--final F] "
+            "[--map F] [--answers F] [--params F]... [--store F]\n\n"
          << options
          << "\nExit status: 0: every event was answered; 3: the table of results is complete, but "
             "some\nevents failed; 1: nothing was done, or not all of it, as the message says.\n";

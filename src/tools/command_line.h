@@ -12,9 +12,10 @@ namespace place_memory::tools {
 
 /// What place_memory_bag is told.
 struct Arguments {
-  std::string bag;
+  std::vector<std::string> bags;
   std::string events;  ///< empty: the stretches where the robot stands or turns are taken
   std::string out;
+  std::string report;  ///< page to write; empty: none
   std::vector<std::string> params;
   std::string store;     ///< from the root; empty: that of the parameters
   DriveArguments drive;  ///< where its mode is empty, events are answered

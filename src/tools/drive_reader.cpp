@@ -1,15 +1,10 @@
 #include "tools/drive_reader.h"
 
 #include <geometry_msgs/TransformStamped.h>
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
-#include <sensor_msgs/Imu.h>
-#include <sensor_msgs/Range.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <deque>
-#include <map>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -18,11 +13,8 @@
 
 #include "core/sensing/heading_history.h"
 #include "node/base/ros_time.h"
-#include "node/input/heading_check.h"
-#include "node/input/range_adapter.h"
 #include "node/input/transform_filter.h"
 #include "node/scan/reading_locator.h"
-#include "tools/bag_file.h"
 
 namespace place_memory::tools {
 namespace {
@@ -31,11 +23,6 @@ using std::chrono::nanoseconds;
 
 // Transforms are remembered for so long: no reading waits longer for those around its stamp.
 const ros::Duration kRemembered(30.0);
-
-// Names are the same with and without the slash: a bag has them resolved, parameters do not.
-std::string withoutSlash(const std::string& name) {
-  return name.substr(std::min(name.find_first_not_of('/'), name.size()));
-}
 
 struct Heading {
   double yaw = 0.0;
@@ -66,92 +53,54 @@ struct Moment {
   }
 };
 
-/// Everything of a bag that a drive consists of.
+/// Everything of the bags that a drive consists of.
 class BagContents {
  public:
-  BagContents(const std::string& path, const config::Parameters& parameters)
-      : parameters_(parameters) {
-    openBag(path, bag_);
-    requireTopics(path);
-    rosbag::View view(bag_);
-    for (const rosbag::MessageInstance& message : view) take(message);
+  BagContents(const BagSet& bags, BagScanner& scanner) : scanner_(scanner) {
+    for (const auto& transform : scanner.staticTransforms()) {
+      node::addTransform(transform, true, nanoseconds(0), mounts_);
+    }
+    bags.read(scanner.topics(), bags.first(), bags.last(),
+              [this](const TimedMessage& timed) { take(timed); });
     std::stable_sort(moments.begin(), moments.end());
   }
 
   std::vector<Moment> moments;
-  std::vector<geometry_msgs::TransformStamped> static_transforms;
   DriveLosses losses;
 
  private:
-  void requireTopics(const std::string& path) {
-    std::map<std::string, std::string> types;
-    rosbag::View everything(bag_);
-    for (const rosbag::ConnectionInfo* connection : everything.getConnections()) {
-      types[withoutSlash(connection->topic)] = connection->datatype;
-    }
-    const auto require = [&](const std::string& topic, const std::string& type) {
-      const auto found = types.find(withoutSlash(topic));
-      if (found == types.end()) {
-        throw std::runtime_error("the bag " + path + " has no topic " + topic);
-      }
-      if (found->second != type) {
-        throw std::runtime_error("in the bag " + path + " the topic " + topic + " holds " +
-                                 found->second + ", not " + type);
-      }
-    };
-    for (const std::string& topic : parameters_.sonar_topics) {
-      require(topic, "sensor_msgs/Range");
-      sonar_topics_.push_back(withoutSlash(topic));
-    }
-    heading_topic_ = withoutSlash(parameters_.heading_topic);
-    if (!heading_topic_.empty()) require(heading_topic_, "sensor_msgs/Imu");
-    require("tf", "tf2_msgs/TFMessage");
-  }
-
-  void take(const rosbag::MessageInstance& message) {
-    const std::string topic = withoutSlash(message.getTopic());
-    const nanoseconds received = node::toNanoseconds(message.getTime());
-    if (topic == "tf" || topic == "tf_static") {
-      const auto moved = message.instantiate<tf2_msgs::TFMessage>();
-      if (!moved) return;
-      for (const auto& transform : moved->transforms) {
-        if (topic == "tf_static") {
-          static_transforms.push_back(transform);
-        } else {
-          const nanoseconds stamp = node::toNanoseconds(transform.header.stamp);
-          moments.push_back({stamp, Moved{transform, received}});
-        }
-      }
-    } else if (!heading_topic_.empty() && topic == heading_topic_) {
-      const auto imu = message.instantiate<sensor_msgs::Imu>();
-      if (!imu || imu->header.stamp.isZero()) return;
-      const node::CheckedHeading heading = node::checkHeading(*imu);
-      if (heading.problem) return;
-      moments.push_back({node::toNanoseconds(imu->header.stamp), Heading{heading.yaw}});
-    } else if (std::count(sonar_topics_.begin(), sonar_topics_.end(), topic) > 0) {
-      const auto range = message.instantiate<sensor_msgs::Range>();
-      if (range) takeReading(message.getTopic(), *range);
-    }
-  }
-
-  void takeReading(const std::string& topic, const sensor_msgs::Range& range) {
-    const node::RangeAdapter adapter(topic, parameters_.scan.over_range_is_no_echo, registry_);
-    node::AdaptedReading adapted = adapter.adapt(range);
-    if (range.header.stamp.isZero()) adapted.reject = node::Reject::kNoStamp;
-    if (adapted.reject) {
-      ++losses.rejected[static_cast<std::size_t>(*adapted.reject)];
-      if (!adapted.sensor_problem.empty()) losses.problem = adapted.sensor_problem;
+  void take(const TimedMessage& timed) {
+    const nanoseconds received = node::toNanoseconds(timed.time);
+    if (const auto moved = timed.message->as<tf2_msgs::TFMessage>()) {
+      for (const auto& transform : moved->transforms) take(transform, received);
       return;
     }
-    const nanoseconds stamp = adapted.measurement.stamp;
-    moments.push_back({stamp, std::move(adapted.measurement)});
+    node::Taken taken = scanner_.take(timed, mounts_);
+    for (const auto& transform : taken.transforms) take(transform, received);
+    for (const node::CheckedHeading& heading : taken.headings) {
+      if (!heading.problem) moments.push_back({heading.stamp, Heading{heading.yaw}});
+    }
+    for (node::AdaptedReading& reading : taken.readings) take(reading);
+    for (const node::Taken::Problem& problem : taken.problems) losses.problem = problem.sentence;
   }
 
-  const config::Parameters& parameters_;
-  rosbag::Bag bag_;
-  std::vector<std::string> sonar_topics_;
-  std::string heading_topic_;
-  node::SensorRegistry registry_;
+  void take(const geometry_msgs::TransformStamped& transform, nanoseconds received) {
+    moments.push_back({node::toNanoseconds(transform.header.stamp), Moved{transform, received}});
+  }
+
+  void take(node::AdaptedReading& reading) {
+    if (reading.measurement.stamp.count() == 0) reading.reject = node::Reject::kNoStamp;
+    if (reading.reject) {
+      ++losses.rejected[static_cast<std::size_t>(*reading.reject)];
+      if (!reading.sensor_problem.empty()) losses.problem = reading.sensor_problem;
+      return;
+    }
+    const nanoseconds stamp = reading.measurement.stamp;
+    moments.push_back({stamp, std::move(reading.measurement)});
+  }
+
+  BagScanner& scanner_;
+  tf2::BufferCore mounts_;  // of compasses
 };
 
 /// Locates readings and hands everything on.
@@ -234,7 +183,7 @@ class DriveFeed {
 
 }  // namespace
 
-DriveLosses readDrive(const std::string& path, const config::Parameters& parameters,
+DriveLosses readDrive(const BagSet& bags, BagScanner& scanner, const config::Parameters& parameters,
                       DriveListener& listener) {
   if (parameters.odom_frame.empty()) {
     throw std::runtime_error(
@@ -242,9 +191,9 @@ DriveLosses readDrive(const std::string& path, const config::Parameters& paramet
         "odometry gives " +
         parameters.base_frame);
   }
-  BagContents contents(path, parameters);
+  BagContents contents(bags, scanner);
   DriveFeed feed(parameters, contents.losses, listener);
-  for (const auto& transform : contents.static_transforms) feed.addStatic(transform);
+  for (const auto& transform : scanner.staticTransforms()) feed.addStatic(transform);
   for (const Moment& moment : contents.moments) {
     std::visit([&](const auto& what) { feed(moment.stamp, what); }, moment.what);
   }

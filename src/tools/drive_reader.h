@@ -9,6 +9,8 @@
 #include "node/input/reject.h"
 #include "place_memory/core/pose2d.h"
 #include "place_memory/core/sonar_reading.h"
+#include "tools/bag_scanner.h"
+#include "tools/bag_set.h"
 
 namespace place_memory::tools {
 
@@ -34,12 +36,12 @@ struct DriveLosses {
                         ///< to say
 };
 
-/// Reads a whole bag in the order of the stamps in its messages, whatever the order in which they
+/// Reads whole bags in the order of the stamps in its messages, whatever the order in which they
 /// were recorded. A reading comes once odometry on both sides of its stamp is known.
 ///
-/// Throws std::runtime_error where the bag cannot be read or lacks a topic, and where the
-/// parameters name no odometry.
-DriveLosses readDrive(const std::string& path, const config::Parameters& parameters,
+/// `scanner`: of these bags. Throws std::exception where a bag is damaged, and where the parameters
+/// name no odometry.
+DriveLosses readDrive(const BagSet& bags, BagScanner& scanner, const config::Parameters& parameters,
                       DriveListener& listener);
 
 }  // namespace place_memory::tools

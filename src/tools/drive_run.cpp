@@ -174,7 +174,7 @@ void tell(const Drive& drive, const core::Mapper& mapper, const DriveLosses& los
 
 }  // namespace
 
-void runDrive(const std::string& bag, const DriveArguments& arguments,
+void runDrive(const BagSet& bags, BagScanner& scanner, const DriveArguments& arguments,
               const config::Parameters& parameters) {
   core::Mapper mapper(mapperOptions(parameters, arguments.mode));
   std::optional<core::DrivenMap> store = openStore(arguments, parameters);
@@ -185,7 +185,7 @@ void runDrive(const std::string& bag, const DriveArguments& arguments,
   DriveTable answers(arguments.answers, kAnswersHeader);
 
   Drive drive(mapper, trajectory, answers);
-  const DriveLosses losses = readDrive(bag, parameters, drive);
+  const DriveLosses losses = readDrive(bags, scanner, parameters, drive);
   if (store && arguments.mode == "map") store->keep(mapper.map());
   const core::FinalWay way(mapper.graph().nodes(), mapper.firstOfDrive());
   if (!way.empty()) {

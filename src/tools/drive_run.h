@@ -4,6 +4,8 @@
 #include <string>
 
 #include "config/parameters.h"
+#include "tools/bag_scanner.h"
+#include "tools/bag_set.h"
 
 namespace place_memory::tools {
 
@@ -16,12 +18,12 @@ struct DriveArguments {
   std::string answers;     ///< what became of each scan
 };
 
-/// Drives a bag's way along with a map: one that it makes, and takes up and keeps in
+/// Drives the way of bags along with a map: one that it makes, and takes up and keeps in
 /// `parameters.store` where that is not empty, or one that only tells where the robot is. Says on
 /// `std::cerr` what came of it.
 ///
-/// Throws std::runtime_error where the bag, the store or a table cannot be read or written.
-void runDrive(const std::string& bag, const DriveArguments& arguments,
+/// Throws std::runtime_error where a bag, the store or a table cannot be read or written.
+void runDrive(const BagSet& bags, BagScanner& scanner, const DriveArguments& arguments,
               const config::Parameters& parameters);
 
 }  // namespace place_memory::tools

@@ -37,7 +37,8 @@ ros::Time readTime(const std::string& column, const std::string& text, const ros
   const auto number = support::parseDecimal(is_relative ? text.substr(1) : text);
   const double latest = is_relative ? kLast - bag_start.toSec() : kLast;
   if (!number || !(*number >= 0.0 && *number <= latest)) {
-    refuse(column, "a number of seconds from 0 to 4294960000, or +seconds since the bag began",
+    refuse(column,
+           "a number of seconds from 0 to 4294960000, or +seconds since the first header stamp",
            text);
   }
   // Large ones do not fit into ros::Duration.

@@ -11,7 +11,7 @@ namespace place_memory::tools {
 
 enum class Action { kLearn, kRecognize };
 
-/// What is to be done with the scan that a bag holds between two times.
+/// What is to be done with the scan that a bag holds between two times, those of header stamps.
 struct Event {
   ros::Time start;
   ros::Time end;

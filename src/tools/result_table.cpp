@@ -1,5 +1,6 @@
 #include "tools/result_table.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iomanip>
 
@@ -7,6 +8,8 @@
 
 namespace place_memory::tools {
 namespace {
+
+constexpr std::size_t kForemost = 3;
 
 std::string toString(core::PlaceMemoryError::Reason reason) {
   using Reason = core::PlaceMemoryError::Reason;
@@ -51,6 +54,12 @@ Result recognize(const Event& event, const core::Scan& scan, core::PlaceMemory& 
   result.score = best.score;
   result.probability = best.probability;
   result.robot = answer.recognition.map_from_robot;
+  result.place_id = best.id;
+  result.place_from_scan = best.place_from_scan;
+  for (std::size_t i = 0; i < std::min(kForemost, answer.labels.size()); ++i) {
+    const core::PlaceMatch& match = answer.recognition.matches[i];
+    result.foremost.push_back({answer.labels[i], match.probability, match.score});
+  }
   if (!answer.adapt_problem.empty()) {
     result.message = "the place is as it was: " + answer.adapt_problem;
   }

@@ -1,22 +1,14 @@
 #include "tools/standing_stretches.h"
 
-#include <rosbag/view.h>
+#include <nav_msgs/Odometry.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "tools/bag_file.h"
-
 namespace place_memory::tools {
 namespace {
-
-const std::vector<std::string> kTf = {"/tf", "tf"};
-
-std::string withoutSlash(const std::string& frame) {
-  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
-}
 
 bool isNear(const TrackPoint& point, const TrackPoint& stop, double radius) {
   return std::hypot(point.x - stop.x, point.y - stop.y) <= radius;
@@ -55,23 +47,31 @@ std::vector<Stretch> standingStretches(const std::vector<TrackPoint>& track,
   return stretches;
 }
 
-std::vector<TrackPoint> readTrack(const std::string& path, const config::Parameters& parameters) {
-  rosbag::Bag bag;
-  openBag(path, bag);
+std::vector<TrackPoint> readTrack(const BagSet& bags, const config::Parameters& parameters) {
   std::vector<TrackPoint> track;
-  rosbag::View view(bag, rosbag::TopicQuery(kTf));
-  for (const rosbag::MessageInstance& message : view) {
-    const auto moved = message.instantiate<tf2_msgs::TFMessage>();
-    if (!moved) continue;
-    for (const auto& transform : moved->transforms) {
-      const auto& at = transform.transform.translation;
-      const bool is_finite = std::isfinite(at.x) && std::isfinite(at.y);
-      if (withoutSlash(transform.header.frame_id) != parameters.odom_frame || !is_finite) continue;
-      track.push_back({transform.header.stamp, at.x, at.y});
-    }
+  const std::string odom_frame = withoutSlash(parameters.odom_frame);
+  const auto add = [&](const ros::Time& stamp, double x, double y) {
+    if (std::isfinite(x) && std::isfinite(y)) track.push_back({stamp, x, y});
+  };
+  if (!parameters.odom_topic.empty()) {
+    bags.readAll(withoutSlash(parameters.odom_topic), [&](const TimedMessage& timed) {
+      const auto odometry = timed.trusted ? timed.message->as<nav_msgs::Odometry>() : nullptr;
+      if (!odometry) return;
+      const auto& at = odometry->pose.pose.position;
+      add(odometry->header.stamp, at.x, at.y);
+    });
   }
+  bags.readAll("tf", [&](const TimedMessage& timed) {
+    const auto moved = timed.trusted ? timed.message->as<tf2_msgs::TFMessage>() : nullptr;
+    if (!moved) return;
+    for (const auto& transform : moved->transforms) {
+      if (withoutSlash(transform.header.frame_id) != odom_frame) continue;
+      const auto& at = transform.transform.translation;
+      add(transform.header.stamp, at.x, at.y);
+    }
+  });
   if (track.empty()) {
-    throw std::runtime_error("the bag " + path + " has no tf from the frame " +
+    throw std::runtime_error("in " + bags.name() + " there is no tf from the frame " +
                              parameters.odom_frame + ", by which to find where the robot stands");
   }
   std::stable_sort(track.begin(), track.end(),
@@ -79,14 +79,14 @@ std::vector<TrackPoint> readTrack(const std::string& path, const config::Paramet
   return track;
 }
 
-std::vector<Event> findEvents(const std::string& bag, const config::Parameters& parameters) {
+std::vector<Event> findEvents(const BagSet& bags, const config::Parameters& parameters) {
   if (parameters.odom_frame.empty()) {
     throw std::runtime_error("without odometry (odom_frame) a table --events is needed");
   }
   StandingOptions options;
   options.longest = std::max(options.shortest, parameters.scan.timeout);
   std::vector<Event> events;
-  for (const Stretch& stretch : standingStretches(readTrack(bag, parameters), options)) {
+  for (const Stretch& stretch : standingStretches(readTrack(bags, parameters), options)) {
     Event event;
     event.start = stretch.start;
     event.end = stretch.end;
@@ -96,7 +96,7 @@ std::vector<Event> findEvents(const std::string& bag, const config::Parameters& 
     events.push_back(event);
   }
   if (events.empty()) {
-    throw std::runtime_error("in the bag " + bag + " the robot never stands for " +
+    throw std::runtime_error("in " + bags.name() + " the robot never stands for " +
                              std::to_string(options.shortest).substr(0, 3) +
                              " s; a table --events says which scans to take");
   }

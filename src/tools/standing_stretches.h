@@ -2,12 +2,11 @@
 #define PLACE_MEMORY_TOOLS_STANDING_STRETCHES_H
 
 #include <ros/time.h>
-#include <rosbag/bag.h>
 
-#include <string>
 #include <vector>
 
 #include "config/parameters.h"
+#include "tools/bag_set.h"
 #include "tools/event_table.h"
 
 namespace place_memory::tools {
@@ -37,14 +36,14 @@ struct Stretch {
 std::vector<Stretch> standingStretches(const std::vector<TrackPoint>& track,
                                        const StandingOptions& options);
 
-/// The robot's way by the tf of a bag, from the odometry frame to whatever frame of the robot
-/// stands next to it. Throws std::runtime_error where the bag has no such transform.
-std::vector<TrackPoint> readTrack(const std::string& bag, const config::Parameters& parameters);
+/// The robot's way by the tf of bags, from the odometry frame to whatever frame of the robot
+/// stands next to it. Throws std::runtime_error where there is no such transform.
+std::vector<TrackPoint> readTrack(const BagSet& bags, const config::Parameters& parameters);
 
-/// For a bag without a table of events: each stretch is recognized, and learned where the answer is
+/// For bags without a table of events: each stretch is recognized, and learned where the answer is
 /// UNKNOWN (Event::visit). Throws std::runtime_error where the robot never stands, or has no
 /// odometry.
-std::vector<Event> findEvents(const std::string& bag, const config::Parameters& parameters);
+std::vector<Event> findEvents(const BagSet& bags, const config::Parameters& parameters);
 
 }  // namespace place_memory::tools
 

@@ -204,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"places: {retention: 1}", "must be in [0, 1)"},
         Malformed{"places: {retention: -0.1}", "must be in [0, 1)"},
         Malformed{"base_frame: ''", "must not be empty"},
-        Malformed{"base_frame: /base_link", "must not begin with a slash"},
+        Malformed{"base_frame: /", "must not be empty"},
         Malformed{"odom_frame: base_link", "must not be the same frame"},
         Malformed{"map_frame: 5", "must be a text, not '5'"},
         Malformed{"sonar_topics: sonar", "must be a list of one text or more"},
@@ -215,6 +215,18 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"heading_topic: 0heading", "must begin with a letter"},
         Malformed{"heading_topic: ~heading", "must begin with a letter"},
         Malformed{"sonar_topics: [sonar, sonar]", "a topic is given twice"},
+        Malformed{"{odom_frame: '', heading_topic: ''}", "must not both be empty"},
+        Malformed{"{odom_frame: '', odom_topic: odom}", "odom_topic: needs an odom_frame"},
+        Malformed{"heading_topic: sonar", "sonar is given twice"},
+        Malformed{"cloud: {mounts: [[0, 0]]}", "each must be [x, y, yaw]"},
+        Malformed{"cloud: {mounts: [[0, 0, north]]}", "each must be [x, y, yaw]"},
+        Malformed{"cloud: {mounts: [[0, 0, .nan]]}", "each must be [x, y, yaw]"},
+        Malformed{"cloud: {mounts: 5}", "must be a list of up to 64 poses"},
+        Malformed{"cloud: {max_range: 0}", "must be in (0, 100]"},
+        Malformed{"laser: {cones: 0}", "must be in [1, 200]"},
+        Malformed{"heading: {declination: 5}", "must be in [-3.14159, 3.14159]"},
+        Malformed{"heading: {reversed: 1}", "must be true or false"},
+        Malformed{"sonar: {top_is_no_echo: 1}", "must be true or false"},
         Malformed{"store: [a]", "must be a text, not a list"},
         Malformed{"map_frame: 2020-01-31", "must be a text, not the date '2020-01-31'"},
         Malformed{"map_frame: deg(2)", "must be a text, not 'deg(2)'"},
@@ -272,6 +284,26 @@ TEST(ParameterReader, AnOldNameNamesTheNewOne) {
 TEST(LoadParameters, ThreadsBoundThePoolOfMatching) {
   EXPECT_EQ(parse("match: {threads: 256}").match.recognizer.threads, 256U);
   EXPECT_EQ(parse("").match.recognizer.threads, 0U);
+}
+
+TEST(LoadParameters, LeadingSlashesOfFramesAreTakenOff) {
+  const Parameters p = parse("{odom_frame: /odom, base_frame: //base, map_frame: /map}");
+  EXPECT_EQ(p.odom_frame, "odom");
+  EXPECT_EQ(p.base_frame, "base");
+  EXPECT_EQ(p.map_frame, "map");
+}
+
+TEST(LoadParameters, MountsAreAListOfPoses) {
+  const Parameters p = parse("cloud: {mounts: [[0.1, 0, deg(90)], [0, 1, -1]]}");
+  ASSERT_EQ(p.cloud.mounts.size(), 2U);
+  EXPECT_DOUBLE_EQ(p.cloud.mounts[0].yaw, core::kPi / 2);
+  EXPECT_EQ(p.cloud.mounts[1].y, 1.0);
+  EXPECT_TRUE(parse("cloud: {mounts: []}").cloud.mounts.empty());
+}
+
+TEST(LoadParameters, WithoutACompassAnyHeadingIsSought) {
+  const Parameters p = parse("{heading_topic: '', match: {heading_window: 0.3}}");
+  EXPECT_EQ(p.match.heading_window, core::kPi);
 }
 
 TEST(LoadParameters, WithoutOdometryPlacesHaveNoLocation) {

@@ -125,6 +125,7 @@ class LiveTestCase(unittest.TestCase):
 
     world = None
     nodes = 0
+    robot_type = FakeRobot
 
     @classmethod
     def setUpClass(cls):
@@ -146,7 +147,7 @@ class LiveTestCase(unittest.TestCase):
         # Readings wait as long as a slow machine needs to bring their transforms.
         given = {"scan/tf_timeout": 3.0, "scan/heading_timeout": 3.0, "scan/turn_rate": 1.0}
         given.update({name.replace("__", "/"): value for name, value in parameters.items()})
-        self.robot = FakeRobot(self.world, namespace, sonar_room.HALL)
+        self.robot = self.robot_type(self.world, namespace, sonar_room.HALL)
         self.addCleanup(self.robot.close)
         self.node = Node(namespace, given, os.path.join(self.folder, namespace[1:] + ".log"))
         self.addCleanup(self.node.stop)

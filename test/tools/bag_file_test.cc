@@ -2,63 +2,43 @@
 
 #include <gtest/gtest.h>
 #include <sensor_msgs/Range.h>
-#include <std_msgs/String.h>
 
-#include "config/load_parameters.h"
+#include <filesystem>
+#include <stdexcept>
+
 #include "core/temporary_folder.h"
 
 namespace place_memory::tools {
 namespace {
 
-class BagFile : public testing::Test {
- protected:
-  std::string path() const { return folder_.file("test.bag"); }
-
-  std::string problem() const {
-    try {
-      checkBag(path(), config::loadParameters({}));
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "none";
-  }
-
-  TemporaryFolder folder_;
-};
-
-TEST_F(BagFile, TellsWhatTheBagHolds) {
-  rosbag::Bag bag(path(), rosbag::bagmode::Write);
-  bag.write("/sonar", ros::Time(1000.5), sensor_msgs::Range());
-  bag.write("/chatter", ros::Time(1002.0), std_msgs::String());
-  bag.close();
-  const BagTimes times = checkBag(path(), config::loadParameters({}));
-  EXPECT_EQ(times.first, ros::Time(1000.5));
-  EXPECT_EQ(times.last, ros::Time(1002.0));
-}
-
-TEST_F(BagFile, EventsBesideTheBagAreToldApart) {
-  const BagTimes times{ros::Time(1000.5), ros::Time(1002.0)};
-  EXPECT_EQ(times.missing(ros::Time(1001.0), ros::Time(1003.0)), "");
-  EXPECT_EQ(times.missing(ros::Time(1.0), ros::Time(1000.5)), "");
-  EXPECT_EQ(times.missing(ros::Time(1.0), ros::Time(2.0)),
-            "it lies before what the bag holds, which is from 1000.500 to 1002.000 s");
-  EXPECT_EQ(times.missing(ros::Time(1003.0), ros::Time(1004.0)),
-            "it lies after what the bag holds, which is from 1000.500 to 1002.000 s");
-}
-
-TEST_F(BagFile, ABagWithoutMessagesIsRefused) {
-  rosbag::Bag(path(), rosbag::bagmode::Write).close();
-  EXPECT_NE(problem().find("holds no message"), std::string::npos) << problem();
-}
-
-TEST_F(BagFile, ABagThatWasNeverClosedWantsToBeIndexed) {
-  const std::string cut = folder_.file("cut.bag");
+TEST(OpenBag, ABagThatWasNeverClosedWantsToBeIndexed) {
+  const TemporaryFolder folder;
+  const std::string cut = folder.file("cut.bag");
+  const std::string path = folder.file("test.bag");
   rosbag::Bag bag(cut, rosbag::bagmode::Write);
   bag.write("/sonar", ros::Time(1000.5), sensor_msgs::Range());
-  std::filesystem::copy_file(cut, path());
+  std::filesystem::copy_file(cut, path);
   bag.close();
-  const std::string text = problem();
-  EXPECT_NE(text.find("rosbag reindex " + path()), std::string::npos) << text;
+  rosbag::Bag opened;
+  try {
+    openBag(path, opened);
+    FAIL() << "expected an error";
+  } catch (const std::runtime_error& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("rosbag reindex " + path), std::string::npos) << text;
+  }
+}
+
+TEST(RefuseOtherDefinition, KnowsTfByBothItsNames) {
+  rosbag::ConnectionInfo connection;
+  connection.topic = "/tf";
+  connection.md5sum = "94810edda583a504dfda3829e70d7eec";
+  for (const char* type : {"tf2_msgs/TFMessage", "tf/tfMessage"}) {
+    connection.datatype = type;
+    EXPECT_NO_THROW(refuseOtherDefinition("a.bag", connection)) << type;
+  }
+  connection.md5sum = "0123456789abcdef0123456789abcdef";
+  EXPECT_THROW(refuseOtherDefinition("a.bag", connection), std::runtime_error);
 }
 
 }  // namespace

@@ -12,6 +12,8 @@ import sys
 import tempfile
 import unittest
 
+import rosbag
+
 TOOL = sys.argv.pop(1)
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "rostest"))
 from corridor_bag import CorridorBag  # noqa: E402
@@ -157,6 +159,17 @@ class DriveToolTest(unittest.TestCase):
         CorridorBag(mixed, START, rounds=3, seed=1, late=0.9)
         one = self.drive_through(self.bag, "map", name="one")
         other = self.drive_through(mixed, "map", name="other")
+        for table in TABLES:
+            self.assertEqual(read(one[table]), read(other[table]), table)
+
+    def test_a_drive_in_several_bags_is_one_drive(self):
+        parts = [self.path("0.bag"), self.path("1.bag")]
+        with rosbag.Bag(self.bag) as whole, rosbag.Bag(parts[0], "w") as first, \
+                rosbag.Bag(parts[1], "w") as second:
+            for topic, message, stamp in whole:
+                (first if stamp.to_sec() < START + 50.05 else second).write(topic, message, stamp)
+        one = self.drive_through(self.bag, "map", name="one")
+        other = self.drive_through(parts[0], "map", "--bag", parts[1], name="other")
         for table in TABLES:
             self.assertEqual(read(one[table]), read(other[table]), table)
 

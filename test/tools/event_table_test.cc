@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"relative and negative", kHeader + "+-1,+2,learn,a,\n", "line 2: start must be"},
         Malformed{"decimal comma", kHeader + "\"1000,0\",1005,learn,a,\n",
                   "line 2: start must be a number of seconds from 0 to 4294960000, or +seconds "
-                  "since the bag began, not '1000,0'"},
+                  "since the first header stamp, not '1000,0'"},
         Malformed{"unknown force",
                   "start,end,action,label,heading_window,force\n1,2,learn,a,,maybe\n",
                   "line 2: force must be true or false, not 'maybe'"},

@@ -4,74 +4,21 @@
 usage: place_memory_bag_test.py PLACE_MEMORY_BAG [UNITTEST OPTION]...
 """
 
-import csv
 import os
 import random
-import subprocess
-import sys
-import tempfile
 import unittest
 
+from geometry_msgs.msg import Point32
+from nav_msgs.msg import Odometry
 import rosbag
+from sensor_msgs.msg import PointCloud
 
-TOOL = sys.argv.pop(1)
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "rostest"))
-from room_bag import RoomBag  # noqa: E402
-
-START = 1000.0
-HEADER = "start,end,action,label,heading_window\n"
-ALL, NOTHING, SOME = 0, 1, 3
+import bag_tool
+from bag_tool import ALL, HEADER, NOTHING, SOME, START
+import sonar_room  # found by bag_tool
 
 
-class BagToolTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.shared = tempfile.TemporaryDirectory()
-        cls.bag = os.path.join(cls.shared.name, "rooms.bag")
-        cls.rooms = RoomBag(cls.bag, START, seed=3)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.shared.cleanup()
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-        self.out = self.path("results.csv")
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
-    def write(self, name, content):
-        with open(self.path(name), "wb") as file:
-            file.write(content if isinstance(content, bytes) else content.encode())
-        return self.path(name)
-
-    def run_tool(self, *arguments, **options):
-        return subprocess.run((TOOL,) + arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              universal_newlines=True, timeout=120, **options)
-
-    def run_events(self, events, *more, bag=None, **options):
-        table = self.write("events.csv", events)
-        return self.run_tool("--bag", bag or self.bag, "--events", table, "--out", self.out, *more,
-                             **options)
-
-    def rows(self):
-        with open(self.out) as file:
-            return list(csv.DictReader(file))
-
-    def learn(self, event, label="a"):
-        return "%.3f,%.3f,learn,%s,\n" % (event.start, event.end, label)
-
-    def assert_refused(self, answer, *words):
-        """With a sentence, and nothing done."""
-        self.assertEqual(answer.returncode, NOTHING, answer.stderr)
-        for word in words:
-            self.assertIn(word, answer.stderr)
-        self.assertEqual(answer.stderr.count("\n"), 1, answer.stderr)
-        self.assertFalse(os.path.exists(self.out))
-
+class CommandLineTest(bag_tool.BagToolTest):
     # --- exit status and what is written ---
 
     def test_all_answered(self):
@@ -131,6 +78,55 @@ class BagToolTest(unittest.TestCase):
         os.remove(self.out)
         answer = self.run_tool("--bag", self.bag, "--out", self.out, "--params", parameters)
         self.assert_refused(answer, "no tf from the frame world")
+
+    # --- what topics carry ---
+
+    def as_pioneer(self, path):
+        """The same bag as a Pioneer's driver has it: a cloud of points in the robot's frame, those
+        without an echo at max_range, odometry on a topic, no compass and no tf."""
+        with rosbag.Bag(self.bag) as rooms, rosbag.Bag(path, "w") as pioneer:
+            for topic, message, stamp in rooms.read_messages(topics=["/sonar", "/tf"]):
+                if topic == "/tf":
+                    for moved in message.transforms:
+                        odometry = Odometry(header=moved.header, child_frame_id="base_link")
+                        odometry.pose.pose.position.x = moved.transform.translation.x
+                        odometry.pose.pose.position.y = moved.transform.translation.y
+                        odometry.pose.pose.orientation = moved.transform.rotation
+                        pioneer.write("/pose", odometry, stamp)
+                    continue
+                sensor = int(message.header.frame_id.split("_")[1])
+                if sensor == 0:
+                    cloud = PointCloud(header=message.header)
+                    cloud.header.frame_id = "/base_link"
+                distance = min(message.range, message.max_range)
+                x, y, _ = sonar_room.compose(sonar_room.sensor_pose(sensor), (distance, 0.0, 0.0))
+                cloud.points.append(Point32(x, y, 0.0))
+                if len(cloud.points) == sonar_room.SENSORS:
+                    pioneer.write("/cloud", cloud, stamp)
+        return path
+
+    def test_a_bag_of_clouds_without_a_compass(self):
+        bag = self.as_pioneer(self.path("pioneer.bag"))
+        parameters = self.write("my.yaml", """
+sonar_topics: [cloud]
+heading_topic: ""
+odom_topic: pose
+cloud: {max_range: 6.0, field_of_view: 0.436}
+""")
+        # Each with the window that the tool has without a compass.
+        events = "".join("%.3f,%.3f,%s,%s\n" % (event.start, event.end, event.action, event.label)
+                         for event in self.rooms.events)
+        answer = self.run_events(HEADER + events, "--params", parameters, bag=bag)
+        self.assertEqual(answer.returncode, ALL, answer.stderr)
+        right = [row["place"] == event.label and row["verdict"] == "recognized"
+                 for row, event in zip(self.rows(), self.rooms.events)
+                 if event.action == "recognize"]
+        self.assertGreaterEqual(sum(right), 4, self.rows())
+
+    def test_a_topic_of_a_wrong_type_is_named(self):
+        parameters = self.write("my.yaml", "{sonar_topics: [heading], heading_topic: sonar}")
+        answer = self.run_tool("--bag", self.bag, "--out", self.out, "--params", parameters)
+        self.assert_refused(answer, "sensor_msgs/", "needed is")
 
     # --- tables and parameters ---
 

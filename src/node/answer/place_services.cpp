@@ -144,6 +144,11 @@ void PlaceServices::match(const core::Scan& scan, double window,
         toMessage(answer, makeHeader(context_.parameters.map_frame, toRosTime(scan.end)),
                   ros::Duration(duration.count()));
     response.message = inWords(answer);
+    // Nobody else says how far odometry's yaw is off.
+    if (context_.parameters.heading_topic.empty()) {
+      response.message += window == core::kPi ? "; without a compass any heading was tried"
+                                              : "; headings near odometry's yaw were tried";
+    }
     context_.publisher.publish(scan, answer, response.recognition);
     ROS_INFO("Scan %lu: %s", static_cast<unsigned long>(scan.id), response.message.c_str());
   } catch (const std::exception& error) {

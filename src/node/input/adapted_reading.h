@@ -9,11 +9,18 @@
 
 namespace place_memory::node {
 
+/// A range that was taken for no echo, though it is not +inf.
+struct NoEchoWord {
+  double range = 0.0;  ///< [m]
+  std::string kind;    ///< what value that is, as "its max_range"
+};
+
 /// What an adapter makes of a sensor's message, usable or not.
 struct AdaptedReading {
   core::Measurement measurement;  ///< stamp, frame and sensor are always those of the message
   std::optional<Reject> reject;   ///< why it cannot be used
   std::string sensor_problem;     ///< with Reject::kBadSensor, in a sentence
+  std::optional<NoEchoWord> no_echo;
 };
 
 }  // namespace place_memory::node

@@ -11,6 +11,7 @@ PlanarPose planar(const geometry_msgs::Transform& transform) {
   const double axis_y = 2.0 * (q.x * q.y + q.w * q.z) / norm2;
   PlanarPose result;
   result.pose = {transform.translation.x, transform.translation.y, std::atan2(axis_y, axis_x)};
+  result.upside_down = q.w * q.w - q.x * q.x - q.y * q.y + q.z * q.z < 0.0;
   result.level = std::fmin(1.0, std::hypot(axis_x, axis_y));
   return result;
 }

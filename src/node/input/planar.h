@@ -10,8 +10,9 @@ namespace place_memory::node {
 
 /// A pose in space as seen from above.
 struct PlanarPose {
-  core::Pose2d pose;   ///< yaw is that of the x axis
-  double level = 1.0;  ///< length of the x axis as seen from above, in [0, 1]; 1: horizontal
+  core::Pose2d pose;         ///< yaw is that of the x axis
+  bool upside_down = false;  ///< its z axis points down: left is right
+  double level = 1.0;        ///< length of the x axis as seen from above, in [0, 1]; 1: horizontal
 };
 
 /// The rotation must be finite and not zero.

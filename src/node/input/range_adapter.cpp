@@ -1,15 +1,18 @@
 #include "node/input/range_adapter.h"
 
+#include <limits>
+
 #include "node/base/ros_time.h"
 #include "node/input/range_check.h"
+#include "support/text.h"
 
 namespace place_memory::node {
 
-AdaptedReading RangeAdapter::adapt(const sensor_msgs::Range& message) const {
+AdaptedReading RangeAdapter::adapt(const sensor_msgs::Range& message) {
   AdaptedReading adapted;
   core::Measurement& measurement = adapted.measurement;
   measurement.stamp = toNanoseconds(message.header.stamp);
-  measurement.frame = message.header.frame_id;
+  measurement.frame = support::withoutLeadingSlashes(message.header.frame_id);
   measurement.sensor = registry_->idOf(topic_, measurement.frame);
 
   const core::SonarSpec spec{message.field_of_view, message.min_range, message.max_range};
@@ -23,7 +26,14 @@ AdaptedReading RangeAdapter::adapt(const sensor_msgs::Range& message) const {
   } else if (message.header.stamp.isZero()) {
     adapted.reject = Reject::kNoStamp;
   } else {
-    const CheckedRange checked = checkRange(spec, message.range, over_range_is_no_echo_);
+    double range = message.range;
+    const auto no_echo =
+        dialects_[measurement.sensor].noEcho(measurement.stamp, range, spec, parameters_->no_echo);
+    if (no_echo) {
+      adapted.no_echo = NoEchoWord{range, *no_echo};
+      range = std::numeric_limits<double>::infinity();
+    }
+    const CheckedRange checked = checkRange(spec, range, parameters_->scan.over_range_is_no_echo);
     adapted.reject = checked.reject;
     measurement.spec = checked.spec;
     measurement.range = checked.range;

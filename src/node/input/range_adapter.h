@@ -3,10 +3,13 @@
 
 #include <sensor_msgs/Range.h>
 
+#include <map>
 #include <string>
 #include <utility>
 
+#include "config/parameters.h"
 #include "node/input/adapted_reading.h"
+#include "node/input/echo_dialect.h"
 #include "node/input/sensor_registry.h"
 
 namespace place_memory::node {
@@ -14,19 +17,17 @@ namespace place_memory::node {
 /// Takes sensor_msgs/Range: the sensor sits at the origin of its frame and looks along the x axis.
 class RangeAdapter {
  public:
-  /// The registry must outlive the adapter. `topic`: of the messages, as people know it;
-  /// `over_range_is_no_echo`: as checkRange() has it.
-  RangeAdapter(std::string topic, bool over_range_is_no_echo, SensorRegistry& registry)
-      : topic_(std::move(topic)),
-        over_range_is_no_echo_(over_range_is_no_echo),
-        registry_(&registry) {}
+  /// Parameters and registry must outlive the adapter. `topic`: of the messages, as people know it.
+  RangeAdapter(std::string topic, const config::Parameters& parameters, SensorRegistry& registry)
+      : topic_(std::move(topic)), parameters_(&parameters), registry_(&registry) {}
 
-  AdaptedReading adapt(const sensor_msgs::Range& message) const;
+  AdaptedReading adapt(const sensor_msgs::Range& message);
 
  private:
   std::string topic_;
-  bool over_range_is_no_echo_;
+  const config::Parameters* parameters_;
   SensorRegistry* registry_;
+  std::map<core::SensorId, EchoDialect> dialects_;
 };
 
 }  // namespace place_memory::node

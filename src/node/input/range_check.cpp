@@ -27,7 +27,8 @@ std::optional<std::string> checkSpec(const core::SonarSpec& spec) {
   const double max = spec.max_range;
   std::ostringstream problem;
   if (!(fov > 0.0 && fov <= kWidest)) {
-    problem << "field_of_view must be in (0, pi] rad, not " << fov;
+    problem << "field_of_view must be in (0, pi] rad, not " << fov
+            << (fov > kWidest && fov <= 360.0 ? ": is it in degrees?" : "");
   } else if (!(min >= 0.0 && std::isfinite(min))) {
     problem << "min_range must be finite and not negative, not " << min << " m";
   } else if (!(max > 0.0 && std::isfinite(max))) {

@@ -20,6 +20,7 @@ constexpr std::array<Words, kRejects> kWords = {{
     {"bad sensor", "mend what its driver says of the sensor"},
     {"no stamp", "its driver must fill in header.stamp"},
     {"old stamp", "is the clock right where they are stamped?"},
+    {"mount unknown", "it has heard no echo yet: say in cloud/mounts where it looks"},
     {"looks up or down", "is its frame mounted right? its x axis is where it looks"},
     {"no transform",
      "publish where it is mounted: robot_state_publisher or static_transform_publisher"},

@@ -18,6 +18,7 @@ enum class Reject {
   kBadSensor,      ///< the sensor's own limits make no sense
   kNoStamp,        ///< stamp is 0
   kOld,            ///< stamped long before the message came or before the sensor's newest reading
+  kNoMount,        ///< nothing says yet where a cloud's sensor looks
   kVertical,       ///< the sensor looks up or down
   kNoTransform,    ///< of the sensor at its stamp
   kNoOdometry,     ///< at its stamp

@@ -17,6 +17,9 @@ std::optional<PlanarPose> lookupPlanar(const tf2::BufferCore& buffer, const std:
                                        const std::string& source, std::chrono::nanoseconds stamp,
                                        std::string& problem);
 
+/// The frames that tf knows, in a sentence, as "it knows base_link, odom".
+std::string knownFrames(const tf2::BufferCore& buffer);
+
 /// The newest there is, and its stamp; nothing where tf knows none.
 std::optional<PlanarPose> lookupNewest(const tf2::BufferCore& buffer, const std::string& target,
                                        const std::string& source, std::chrono::nanoseconds& stamp);

@@ -3,7 +3,7 @@
 
 #include <map>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "core/sensing/measurement.h"
@@ -19,22 +19,25 @@ class SensorRegistry {
  public:
   static constexpr std::size_t kMaxSensors = 256;
 
-  /// The same number for the same names.
-  core::SensorId idOf(const std::string& topic, const std::string& frame);
+  /// The same number for the same names. `index`: of the sensor where a message is of a whole ring
+  /// of them; -1: it is not.
+  core::SensorId idOf(const std::string& topic, const std::string& frame, int index = -1);
 
   const std::string& topicOf(core::SensorId sensor) const { return sensors_.at(sensor).topic; }
   const std::string& frameOf(core::SensorId sensor) const { return sensors_.at(sensor).frame; }
-  /// For people: its frame, and the topic too where sensors on several topics have that frame.
+  /// For people: its index if it has one; else its frame, and the topic too where sensors on
+  /// several topics have that frame.
   std::string nameOf(core::SensorId sensor) const;
 
  private:
   struct Sensor {
     std::string topic;
     std::string frame;
+    int index = -1;
   };
 
-  std::vector<Sensor> sensors_ = {{"other topics", "(other frames)"}};  // by their number
-  std::map<std::pair<std::string, std::string>, core::SensorId> numbers_;
+  std::vector<Sensor> sensors_ = {{"other topics", "(other frames)", -1}};  // by their number
+  std::map<std::tuple<std::string, std::string, int>, core::SensorId> numbers_;
 };
 
 }  // namespace place_memory::node

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "node/base/ros_time.h"
+#include "support/text.h"
 
 namespace place_memory::node {
 namespace {
@@ -30,9 +31,12 @@ std::optional<std::string> checkTransform(const geometry_msgs::TransformStamped&
   return std::nullopt;
 }
 
-std::optional<std::string> addTransform(const geometry_msgs::TransformStamped& transform,
+std::optional<std::string> addTransform(const geometry_msgs::TransformStamped& slashed,
                                         bool is_static, std::chrono::nanoseconds now,
                                         tf2::BufferCore& buffer) {
+  geometry_msgs::TransformStamped transform = slashed;
+  transform.header.frame_id = support::withoutLeadingSlashes(slashed.header.frame_id);
+  transform.child_frame_id = support::withoutLeadingSlashes(slashed.child_frame_id);
   std::optional<std::string> problem = checkTransform(transform, is_static, now);
   try {
     // What it refuses by itself, such as a transform that is older than its memory, it says itself.

@@ -18,7 +18,8 @@ constexpr std::chrono::nanoseconds kMaxAhead = std::chrono::seconds(1);
 std::optional<std::string> checkTransform(const geometry_msgs::TransformStamped& transform,
                                           bool is_static, std::chrono::nanoseconds now);
 
-/// Puts the transform into the buffer if it may be believed. Otherwise returns what is wrong with
+/// Puts the transform into the buffer if it may be believed, its frames without leading slashes,
+/// which tf2 does not know. Otherwise returns what is wrong with
 /// it, with both its frames.
 std::optional<std::string> addTransform(const geometry_msgs::TransformStamped& transform,
                                         bool is_static, std::chrono::nanoseconds now,

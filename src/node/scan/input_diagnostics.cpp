@@ -77,6 +77,9 @@ void diagnoseSonars(const InputHealth& health, Status& status) {
     status.summary(Level::WARN, "no sensor has sent a reading: is anything published on " +
                                     boost::algorithm::join(health.sonar_topics, ", ") + "?");
   }
+  for (const std::string& sentence : health.wrong_types) {
+    status.mergeSummary(Level::ERROR, sentence);
+  }
   for (const SensorHealth& sensor : health.sensors) {
     summarize(sensor, status);
     const std::string rejected = inWords(sensor.rejected);
@@ -88,6 +91,10 @@ void diagnoseSonars(const InputHealth& health, Status& status) {
 void diagnoseCompass(const InputHealth& health, Status& status) {
   const CompassHealth& compass = health.compass;
   const std::string topic = health.heading_topic;
+  if (topic.empty()) {
+    status.summary(Level::OK, "there is none (heading_topic): scans lie by odometry's yaw");
+    return;
+  }
   status.summary(Level::OK, "headings at " + rate(compass.messages));
   if (!compass.heard) {
     status.summary(Level::WARN, "no heading has come: is anything published on " + topic +

@@ -20,7 +20,8 @@ struct InputHealth {
   std::vector<SensorHealth> sensors;
   CompassHealth compass;
   std::vector<std::string> sonar_topics;  ///< as they are resolved
-  std::string heading_topic;              ///< likewise
+  std::string heading_topic;              ///< likewise; empty: there is no compass
+  std::vector<std::string> wrong_types;   ///< sentences on topics whose type is none that is read
 };
 
 /// ERROR where a sensor's limits make no sense, WARN where there is no sensor, one is silent, has a

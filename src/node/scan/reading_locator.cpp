@@ -66,7 +66,11 @@ ReadingLocator::Located ReadingLocator::locate(const core::Measurement& measurem
   reading.stamp = measurement.stamp;
   reading.sensor = measurement.sensor;
   reading.fixed_from_base = *base;
-  reading.reading.sensor_pose = *base * frame->pose * measurement.frame_from_sensor;
+  core::Pose2d frame_from_sensor = measurement.frame_from_sensor;
+  if (frame->upside_down) {
+    frame_from_sensor = {frame_from_sensor.x, -frame_from_sensor.y, -frame_from_sensor.yaw};
+  }
+  reading.reading.sensor_pose = *base * frame->pose * frame_from_sensor;
   reading.reading.spec = measurement.spec;
   reading.reading.spec.min_range *= frame->level;
   reading.reading.spec.max_range *= frame->level;

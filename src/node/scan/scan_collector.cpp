@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "node/base/ros_time.h"
-#include "node/input/heading_check.h"
 
 namespace place_memory::node {
 namespace {
@@ -61,21 +60,20 @@ void ScanCollector::drop() {
   scan_problems_.clear();
 }
 
-void ScanCollector::addHeading(const sensor_msgs::Imu& message, std::chrono::nanoseconds received) {
+void ScanCollector::addHeading(const CheckedHeading& heading, std::chrono::nanoseconds received) {
   time_.observe(received);
   compass_health_.noteMessage(time_.passed());
-  if (const auto problem = keepHeading(message, received)) {
+  if (const auto problem = keepHeading(heading, received)) {
     noteProblem(kCompass, "heading left out: " + *problem);
     compass_health_.noteLeftOut(*problem, time_.passed());
   }
 }
 
-std::optional<std::string> ScanCollector::keepHeading(const sensor_msgs::Imu& message,
+std::optional<std::string> ScanCollector::keepHeading(const CheckedHeading& heading,
                                                       std::chrono::nanoseconds received) {
-  const CheckedHeading heading = checkHeading(message);
   if (heading.problem) return heading.problem;
   if (received.count() == 0) return std::nullopt;  // simulated time does not run yet
-  const auto stamp = toNanoseconds(message.header.stamp);
+  const std::chrono::nanoseconds stamp = heading.stamp;
   if (stamp > latestCredible(received)) {
     return "it is stamped more than a second ahead of the clock";
   }

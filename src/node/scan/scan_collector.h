@@ -1,7 +1,6 @@
 #ifndef PLACE_MEMORY_NODE_SCAN_SCAN_COLLECTOR_H
 #define PLACE_MEMORY_NODE_SCAN_SCAN_COLLECTOR_H
 
-#include <sensor_msgs/Imu.h>
 #include <tf2/buffer_core.h>
 
 #include <chrono>
@@ -17,6 +16,7 @@
 #include "core/sensing/newest_stamps.h"
 #include "core/sensing/sweep_builder.h"
 #include "node/input/adapted_reading.h"
+#include "node/input/heading_check.h"
 #include "node/input/sensor_registry.h"
 #include "node/scan/compass_health.h"
 #include "node/scan/problem_list.h"
@@ -51,7 +51,7 @@ class ScanCollector {
   /// `received` is the time at which the message came. Messages are taken at any time: headings are
   /// remembered, and the health of sensors is noted. One whose stamp is more than a second behind
   /// the newest of its sensor is left out.
-  void addHeading(const sensor_msgs::Imu& message, std::chrono::nanoseconds received);
+  void addHeading(const CheckedHeading& heading, std::chrono::nanoseconds received);
   void addReading(const AdaptedReading& reading, std::chrono::nanoseconds received);
 
   /// ROS time was set back: what was heard before is of another time.
@@ -99,7 +99,7 @@ class ScanCollector {
     std::chrono::nanoseconds deadline{0};
   };
 
-  std::optional<std::string> keepHeading(const sensor_msgs::Imu& message,
+  std::optional<std::string> keepHeading(const CheckedHeading& heading,
                                          std::chrono::nanoseconds received);
   void checkStamp(AdaptedReading& reading, std::chrono::nanoseconds received);
   void use(const core::LocatedReading& reading);

@@ -40,7 +40,8 @@ std::optional<core::Scan> ScanCollector::snapshot(std::chrono::nanoseconds end) 
 }
 
 std::optional<double> ScanCollector::compassOffset() const {
-  if (!locator_.usesOdometry()) return 0.0;
+  // Without a compass the scan lies by odometry's yaw.
+  if (!locator_.usesOdometry() || parameters_.heading_topic.empty()) return 0.0;
   if (const auto mean = compass_offset_.mean()) return mean;
   // A slow compass may not have spoken during a short scan.
   const core::LocatedReading& first = sweep_->readings().front();

@@ -9,6 +9,8 @@
 #include "node/base/conversions.h"
 #include "node/base/node_names.h"
 #include "node/base/ros_time.h"
+#include "node/input/input_message.h"
+#include "node/input/transform_filter.h"
 #include "node/scan/scan_topics.h"
 
 namespace place_memory::node {
@@ -38,6 +40,9 @@ ScanServer::ScanServer(const ros::NodeHandle& names, const ros::NodeHandle& priv
       buffer_(buffer),
       transforms_(transforms),
       callbacks_(std::move(callbacks)),
+      intake_(
+          parameters, [&names](const std::string& topic) { return names.resolveName(topic); },
+          registry_),
       collector_(parameters, buffer, registry_),
       clock_(toNanoseconds(parameters.time_jump_tolerance)),
       queue_("scans", [this](const std::string& what) { onError(what); }),
@@ -61,17 +66,11 @@ ScanServer::ScanServer(const ros::NodeHandle& names, const ros::NodeHandle& priv
 ScanServer::~ScanServer() { stop(); }
 
 void ScanServer::subscribe() {
-  for (const std::string& topic : parameters_.sonar_topics) {
-    const RangeAdapter adapter(names_.resolveName(topic), parameters_.scan.over_range_is_no_echo,
-                               registry_);
-    const boost::function<void(const sensor_msgs::Range::ConstPtr&)> take =
-        [this, adapter](const sensor_msgs::Range::ConstPtr& message) {
-          onRange(adapter, *message);
-        };
-    subscribers_.push_back(names_.subscribe<sensor_msgs::Range>(topic, kQueueLength, take));
+  for (const auto& [topic, role] : intake_.topics()) {
+    const boost::function<void(const RawMessage::ConstPtr&)> take =
+        [this, topic = topic](const RawMessage::ConstPtr& message) { onMessage(topic, *message); };
+    subscribers_.push_back(names_.subscribe<RawMessage>(topic, kQueueLength, take));
   }
-  subscribers_.push_back(
-      names_.subscribe(parameters_.heading_topic, kQueueLength, &ScanServer::onHeading, this));
 }
 
 void ScanServer::stop() {
@@ -94,21 +93,30 @@ InputHealth ScanServer::health() const {
   for (const std::string& topic : parameters_.sonar_topics) {
     health.sonar_topics.push_back(names_.resolveName(topic));
   }
-  health.heading_topic = names_.resolveName(parameters_.heading_topic);
+  if (!parameters_.heading_topic.empty()) {
+    health.heading_topic = names_.resolveName(parameters_.heading_topic);
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
   health.sensors = collector_.sensorHealth();
   health.compass = collector_.compassHealth();
+  health.wrong_types = intake_.wrongTypes();
   return health;
 }
 
-void ScanServer::onRange(const RangeAdapter& adapter, const sensor_msgs::Range& message) {
+void ScanServer::onMessage(const std::string& topic, const RawMessage& message) {
+  const std::chrono::nanoseconds now = rosNow();
   const std::lock_guard<std::mutex> lock(mutex_);
-  collector_.addReading(adapter.adapt(message), rosNow());
-}
-
-void ScanServer::onHeading(const sensor_msgs::Imu::ConstPtr& message) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  collector_.addHeading(*message, rosNow());
+  const Taken taken = intake_.take(topic, readMessage(message), now, buffer_);
+  for (const geometry_msgs::TransformStamped& transform : taken.transforms) {
+    if (now.count() == 0) break;  // before simulated time runs nobody knows which stamps may be
+    const auto problem = addTransform(transform, false, now, buffer_);
+    if (problem) collector_.noteProblem(topic, *problem);
+  }
+  for (const CheckedHeading& heading : taken.headings) collector_.addHeading(heading, now);
+  for (const AdaptedReading& reading : taken.readings) collector_.addReading(reading, now);
+  for (const Taken::Problem& problem : taken.problems) {
+    collector_.noteProblem(problem.input, problem.sentence);
+  }
 }
 
 void ScanServer::onGoal(const GoalHandle& goal) {

@@ -4,8 +4,6 @@
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
 #include <ros/steady_timer.h>
-#include <sensor_msgs/Imu.h>
-#include <sensor_msgs/Range.h>
 #include <tf2/buffer_core.h>
 
 #include <chrono>
@@ -18,7 +16,8 @@
 
 #include "core/sensing/clock_watch.h"
 #include "node/base/guarded_queue.h"
-#include "node/input/range_adapter.h"
+#include "node/input/message_intake.h"
+#include "node/input/raw_message.h"
 #include "node/input/sensor_registry.h"
 #include "node/input/transform_input.h"
 #include "node/scan/input_diagnostics.h"
@@ -66,8 +65,7 @@ class ScanServer {
   void subscribe();
   void onGoal(const GoalHandle& goal);
   void onCancel(const GoalHandle& goal);
-  void onRange(const RangeAdapter& adapter, const sensor_msgs::Range& message);
-  void onHeading(const sensor_msgs::Imu::ConstPtr& message);
+  void onMessage(const std::string& topic, const RawMessage& message);
   void onError(const std::string& what);
 
   void update(const ros::SteadyTimerEvent& event);
@@ -84,8 +82,10 @@ class ScanServer {
   TransformInput& transforms_;
   const Callbacks callbacks_;
 
-  mutable std::mutex mutex_;  // guards the registry, and what the collector knows of health
+  mutable std::mutex
+      mutex_;  // guards the registry, the intake, and what the collector knows of health
   SensorRegistry registry_;
+  MessageIntake intake_;
   ScanCollector collector_;
   std::optional<Sweep> sweep_;
   bool moving_ = false;

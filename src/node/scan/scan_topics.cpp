@@ -39,11 +39,15 @@ void sayTopics(const ros::NodeHandle& names, const config::Parameters& parameter
   for (const std::string& topic : parameters.sonar_topics) {
     sonars.push_back(names.resolveName(topic));
   }
+  const std::string odometry =
+      parameters.odom_topic.empty() ? "" : " (by " + names.resolveName(parameters.odom_topic) + ")";
   const std::string tf = (parameters.odom_frame.empty() ? "" : parameters.odom_frame + " -> ") +
-                         parameters.base_frame + " -> sensors";
+                         parameters.base_frame + odometry + " -> sensors";
+  const std::string heading = parameters.heading_topic.empty()
+                                  ? "none (scans lie by odometry's yaw, any heading is sought)"
+                                  : names.resolveName(parameters.heading_topic);
   ROS_INFO("sonar %s; heading %s; tf %s; map frame %s; turns by %s",
-           boost::algorithm::join(sonars, ", ").c_str(),
-           names.resolveName(parameters.heading_topic).c_str(), tf.c_str(),
+           boost::algorithm::join(sonars, ", ").c_str(), heading.c_str(), tf.c_str(),
            parameters.map_frame.c_str(), names.resolveName(kCommandTopic).c_str());
   for (const std::string& sentence : vainRemappings(names, parameters)) {
     ROS_WARN("%s", sentence.c_str());

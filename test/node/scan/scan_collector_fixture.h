@@ -86,11 +86,11 @@ class ScanCollectorTest : public testing::Test {
   }
 
   void addHeading(const sensor_msgs::Imu& message, double received) {
-    collector().addHeading(message, toNanoseconds(received));
+    collector().addHeading(checkHeading(message), toNanoseconds(received));
   }
 
   void addRange(const sensor_msgs::Range& message, double received) {
-    const RangeAdapter adapter("/sonar", parameters_.scan.over_range_is_no_echo, registry_);
+    RangeAdapter adapter("/sonar", parameters_, registry_);
     collector().addReading(adapter.adapt(message), toNanoseconds(received));
   }
 

@@ -1,0 +1,73 @@
+#include "node/input/echo_dialect.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace place_memory::node {
+namespace {
+
+constexpr double kHair = 1e-3;  // share of max_range
+constexpr double kFloatMax = 0.99 * static_cast<double>(std::numeric_limits<float>::max());
+
+constexpr int kRepeated = 3;
+constexpr int kTopRuns = 5;
+// A wall at rest repeats too, but the ranges beside it are near, and it is at no special distance.
+constexpr double kTopFrom = 0.8;  // share of max_range
+constexpr double kGap = 0.02;     // share of the value
+
+}  // namespace
+
+bool isMaxRange(double range, double max_range) {
+  return std::abs(range - max_range) <= kHair * max_range;
+}
+
+std::optional<std::string> EchoDialect::noEcho(std::chrono::nanoseconds stamp, double range,
+                                               const core::SonarSpec& spec,
+                                               const config::NoEchoOptions& options) {
+  // A sensor of one distance says only the infinities.
+  if (!std::isfinite(range) || spec.min_range == spec.max_range) return std::nullopt;
+  if (options.top && range >= kFloatMax) return "the largest float";
+  if (options.top && isMaxRange(range, spec.max_range)) return "its max_range";
+  if (options.zero && range == 0.0 && spec.min_range == 0.0) return "which no echo can have";
+  if (stamp > newest_) follow(range, spec);
+  newest_ = std::max(newest_, stamp);
+  if (options.top && range > spec.max_range && outsideRepeats(range)) {
+    return "which it repeats beyond its max_range";
+  }
+  if (options.zero && range < 0.0 && outsideRepeats(range)) return "which it repeats";
+  if (options.top && topRepeats(range, spec)) return "which it repeats at the top of its range";
+  return std::nullopt;
+}
+
+void EchoDialect::follow(double range, const core::SonarSpec& spec) {
+  if (range < spec.min_range || range > spec.max_range) {
+    outside_times_ = range == outside_ ? std::min(outside_times_ + 1, kRepeated) : 1;
+    outside_ = range;
+    return;
+  }
+  echoes_ = true;
+  if (range > top_) {
+    next_ = top_;
+    top_ = range;
+    top_runs_ = 0;
+    at_top_ = false;
+  }
+  if (range < top_) {
+    next_ = std::max(next_, range);
+    at_top_ = false;
+  } else if (!at_top_) {
+    top_runs_ = std::min(top_runs_ + 1, kTopRuns);
+    at_top_ = true;
+  }
+}
+
+bool EchoDialect::topRepeats(double range, const core::SonarSpec& spec) const {
+  return range == top_ && top_runs_ >= kTopRuns && range >= kTopFrom * spec.max_range &&
+         next_ <= (1.0 - kGap) * range;
+}
+
+bool EchoDialect::outsideRepeats(double range) const {
+  return echoes_ && range == outside_ && outside_times_ >= kRepeated;
+}
+
+}  // namespace place_memory::node
