@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "config/load_parameters.h"
+#include "core/mapping/final_way.h"
 #include "core/mapping/mapper.h"
 #include "trials/drive_file.h"
 
@@ -35,35 +36,6 @@ std::string rowOf(double t, const core::Pose2d& pose) {
   std::snprintf(text, sizeof text, "%.3f,%.4f,%.4f,%.5f", t, pose.x, pose.y, pose.yaw);
   return text;
 }
-
-/// The way of the robot as the map lies at the end.
-class FinalWay {
- public:
-  explicit FinalWay(const core::ScanGraph& graph) {
-    for (const core::ScanNode& node : graph.nodes()) {
-      if (node.session == 1) nodes_.push_back(&node);
-    }
-  }
-
-  core::Pose2d at(double t, const core::Pose2d& odom) const {
-    if (nodes_.empty()) return odom;
-    std::size_t after = 0;
-    while (after < nodes_.size() && seconds(nodes_[after]->stamp) < t) ++after;
-    const auto by = [&](std::size_t i) {
-      return nodes_[i]->pose * (nodes_[i]->odom_from_base.inverse() * odom);
-    };
-    if (after == 0) return by(0);
-    if (after == nodes_.size()) return by(after - 1);
-    const double first = seconds(nodes_[after - 1]->stamp), last = seconds(nodes_[after]->stamp);
-    const double share = (t - first) / std::max(last - first, 1e-9);
-    const core::Pose2d a = by(after - 1), b = by(after);
-    return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y),
-            core::wrapAngle(a.yaw + share * core::wrapAngle(b.yaw - a.yaw))};
-  }
-
- private:
-  std::vector<const core::ScanNode*> nodes_;
-};
 
 void writeAnswers(std::ofstream& table, const std::vector<core::ScanDecision>& decisions) {
   for (const core::ScanDecision& decision : decisions) {
@@ -193,9 +165,10 @@ int run(const po::variables_map& given) {
         drives[number].c_str(), way, 1000.0 * cpu / way, mapper.graph().nodes().size(),
         mapper.graph().ties().size(), mapper.places().size(),
         mapper.graph().errors().bend * 180.0 / core::kPi, mapper.graph().errors().turn_factor);
-    const FinalWay at_end(mapper.graph());
+    const core::FinalWay at_end(mapper.graph().nodes(), mapper.firstOfDrive());
     for (const trials::DriveMoment& moment : drive) {
-      final_way << rowOf(start + moment.t, at_end.at(start + moment.t, moment.odom)) << '\n';
+      final_way << rowOf(start + moment.t, at_end.at(stampOf(start + moment.t), moment.odom))
+                << '\n';
     }
     for (const core::MappedPlace& place : mapper.places()) {
       const auto made = std::lower_bound(

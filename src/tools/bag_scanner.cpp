@@ -36,7 +36,7 @@ struct Source {
 struct Inputs {
   const config::Parameters& parameters;
   tf2::BufferCore& transforms;
-  node::MessageIntake& intake;
+  BagScanner& scanner;
   node::ScanCollector& collector;
   std::chrono::nanoseconds end;
 
@@ -53,8 +53,7 @@ struct Inputs {
   /// Whether readings came, which wait for what comes later.
   bool addInput(const TimedMessage& timed) {
     const auto received = node::toNanoseconds(timed.time);
-    const node::Taken taken = intake.take(
-        timed.message->topic, node::readMessage(Source{*timed.message}), received, transforms);
+    const node::Taken taken = scanner.take(timed, transforms);
     for (const auto& transform : taken.transforms) {
       const auto problem = node::addTransform(transform, false, received, transforms);
       if (problem) collector.noteProblem("odometry", *problem);
@@ -110,6 +109,11 @@ void BagScanner::readStaticTransforms() {
   });
 }
 
+node::Taken BagScanner::take(const TimedMessage& timed, const tf2::BufferCore& transforms) {
+  return intake_.take(timed.message->topic, node::readMessage(Source{*timed.message}),
+                      node::toNanoseconds(timed.time), transforms);
+}
+
 BagScan BagScanner::scan(const ros::Time& start, const ros::Time& end) {
   tf2::BufferCore transforms(end - start + ros::Duration(2.0 * kLead));
   for (const auto& transform : static_transforms_) {
@@ -118,7 +122,7 @@ BagScan BagScanner::scan(const ros::Time& start, const ros::Time& end) {
   node::ScanCollector collector(parameters_, transforms, registry_);
   collector.begin(node::toNanoseconds(start), parameters_.scan.headings, parameters_.scan.step);
 
-  Inputs inputs{parameters_, transforms, intake_, collector, node::toNanoseconds(end)};
+  Inputs inputs{parameters_, transforms, *this, collector, node::toNanoseconds(end)};
   const ros::Time last = later(end, parameters_.scan.tf_timeout + kTrail);
   bags_.read(topics_, later(start, -kLead), last, [&](const TimedMessage& timed) {
     if (timed.message->topic == kTf) {

@@ -32,6 +32,16 @@ class BagScanner {
   /// damaged there.
   BagScan scan(const ros::Time& start, const ros::Time& end);
 
+  /// What a message says, be it of a scan or of a drive. `transforms`: in which the frame of a
+  /// compass is looked up.
+  node::Taken take(const TimedMessage& timed, const tf2::BufferCore& transforms);
+
+  /// To be read, tf among them; without slashes.
+  const std::set<std::string>& topics() const { return topics_; }
+  const std::vector<geometry_msgs::TransformStamped>& staticTransforms() const {
+    return static_transforms_;
+  }
+
  private:
   /// The types of a topic. Throws std::runtime_error where the bags lack it.
   const std::set<std::string>& require(const std::string& topic) const;

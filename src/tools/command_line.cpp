@@ -2,6 +2,7 @@
 
 #include <boost/program_options.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "config/store_path.h"
 
@@ -24,8 +25,7 @@ po::options_description describe(Arguments& arguments) {
       "text, rad, true|false]; times are those of header stamps; +12.5: so many seconds after the "
       "first one; force may be left out. Without a table every stretch where the robot stands or "
       "turns on the spot is recognized, and learned where no place fits");
-  add("out", po::value(&arguments.out)->required(),
-      "table of results to write, a row for each event");
+  add("out", po::value(&arguments.out), "table of results to write, a row for each event");
   add("report", po::value(&arguments.report),
       "page to write (HTML, all in one file): pictures of each scan and its match, what was left "
       "out and why, the map");
@@ -33,7 +33,43 @@ po::options_description describe(Arguments& arguments) {
       "parameters, laid out as config/place_memory.yaml; where several files give one, the last "
       "holds");
   add("store", po::value(&arguments.store), "file of places, instead of the parameter store");
+  add("mode", po::value(&arguments.drive.mode),
+      "map: make a map of the whole drive, or go on with the one in the store; localize: tell "
+      "where "
+      "the robot is in the map of the store, which stays as it is. Instead of --events and --out "
+      "there are then, each of them if it is wanted:");
+  add("trajectory", po::value(&arguments.drive.trajectory),
+      "table to write of where the robot is, as it was known at each moment: t,x,y,yaw,lost");
+  add("final", po::value(&arguments.drive.final_way),
+      "table to write of the same way as the map lies at the end: t,x,y,yaw");
+  add("map", po::value(&arguments.drive.map),
+      "table to write of the places: id,label,t,x,y,yaw of the robot when it was made");
+  add("answers", po::value(&arguments.drive.answers),
+      "table to write of what became of each scan: "
+      "t,decision,place,dx,dy,dyaw,belief,lost,reason");
   return options;
+}
+
+// What belongs to events does not go with a drive, and the other way about.
+void checkTogether(const Arguments& arguments) {
+  const DriveArguments& drive = arguments.drive;
+  if (drive.mode.empty()) {
+    if (arguments.out.empty())
+      throw std::runtime_error("the option '--out' is required but missing");
+    for (const auto& [option, path] :
+         {std::make_pair("--trajectory", drive.trajectory),
+          std::make_pair("--final", drive.final_way), std::make_pair("--map", drive.map),
+          std::make_pair("--answers", drive.answers)}) {
+      if (!path.empty()) throw std::runtime_error(std::string(option) + " needs --mode");
+    }
+    return;
+  }
+  if (drive.mode != "map" && drive.mode != "localize") {
+    throw std::runtime_error("--mode is map or localize, not '" + drive.mode + "'");
+  }
+  if (!arguments.events.empty() || !arguments.out.empty() || !arguments.report.empty()) {
+    throw std::runtime_error("--events, --out and --report do not go with --mode: leave them out");
+  }
 }
 
 // Empty where none was given.
@@ -62,7 +98,9 @@ std::optional<Arguments> readArguments(int argc, const char* const* argv, std::o
   po::store(po::command_line_parser(argc, argv).options(all).positional(positions).run(), given);
   if (given.count("help") > 0) {
     help << "usage: place_memory_bag --bag F... [--events F] --out F [--report F] [--params F]... "
-            "[--store F]\n\n"
+            "[--store F]\n"
+            "       place_memory_bag --bag F... --mode map|localize [--trajectory F] [--final F] "
+            "[--map F] [--answers F] [--params F]... [--store F]\n\n"
          << options
          << "\nExit status: 0: every event was answered; 3: the table of results is complete, but "
             "some\nevents failed; 1: nothing was done, or not all of it, as the message says.\n";
@@ -73,6 +111,7 @@ std::optional<Arguments> readArguments(int argc, const char* const* argv, std::o
                              "' for? Each argument needs its option; --help lists them");
   }
   po::notify(given);
+  checkTogether(arguments);
   makeAbsolute(arguments.store);
   return arguments;
 }

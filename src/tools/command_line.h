@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/drive_run.h"
+
 namespace place_memory::tools {
 
 /// What place_memory_bag is told.
@@ -15,7 +17,8 @@ struct Arguments {
   std::string out;
   std::string report;  ///< page to write; empty: none
   std::vector<std::string> params;
-  std::string store;  ///< from the root; empty: that of the parameters
+  std::string store;     ///< from the root; empty: that of the parameters
+  DriveArguments drive;  ///< where its mode is empty, events are answered
 };
 
 /// Nothing where help was asked for, which is then written to `help`. Throws std::exception that

@@ -16,6 +16,7 @@
 #include "tools/bag_set.h"
 #include "tools/child_process.h"
 #include "tools/command_line.h"
+#include "tools/drive_run.h"
 #include "tools/event_answers.h"
 #include "tools/event_table.h"
 #include "tools/report_page.h"
@@ -55,8 +56,13 @@ int process(const Arguments& arguments) {
     if (!topic.empty()) topics.push_back(topic);
   }
   const BagSet bags(arguments.bags, topics);
-  std::vector<Event> events = loadEvents(arguments, parameters, bags);
   BagScanner scanner(bags, parameters);
+  if (!arguments.drive.mode.empty()) {
+    for (const std::string& note : bags.notes()) std::cerr << "place_memory_bag: " << note << '\n';
+    runDrive(bags, scanner, arguments.drive, parameters);
+    return EXIT_SUCCESS;
+  }
+  std::vector<Event> events = loadEvents(arguments, parameters, bags);
   for (const std::string& note : bags.notes()) std::cerr << "place_memory_bag: " << note << '\n';
   core::PlaceMemory memory(config::memoryOptions(parameters));
   std::optional<ReportPage> report;
@@ -91,11 +97,13 @@ int runTool(int argc, char** argv) {
   return guarded([&] {
     const auto arguments = readArguments(argc, argv, std::cout);
     if (!arguments) return EXIT_SUCCESS;
-    return runInChild([&] { return guarded([&] { return process(*arguments); }); },
-                      (arguments->bags.size() == 1 ? "the bag " + arguments->bags.front() + " is"
-                                                   : std::string("one of the bags is")) +
-                          " damaged, most likely. What was answered before is in " +
-                          arguments->out);
+    return runInChild(
+        [&] { return guarded([&] { return process(*arguments); }); },
+        (arguments->bags.size() == 1 ? "the bag " + arguments->bags.front() + " is"
+                                     : std::string("one of the bags is")) +
+            " damaged, most likely" +
+            (arguments->out.empty() ? std::string()
+                                    : ". What was answered before is in " + arguments->out));
   });
 }
 

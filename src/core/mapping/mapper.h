@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/map/kept_map.h"
 #include "core/map/place_belief.h"
 #include "core/mapping/closure_candidates.h"
 #include "core/mapping/dead_reckoning.h"
@@ -66,14 +67,6 @@ struct BeliefSummary {
   double lost = 1.0;
 };
 
-/// A map as it is kept: nodes that are places have their readings; of a map without scans between
-/// places, or without ties, the rest is empty.
-struct KeptMap {
-  std::vector<ScanNode> nodes;
-  std::vector<Tie> ties;
-  OdometryErrors errors;
-};
-
 /// A place of the map.
 struct MappedPlace {
   PlaceId id = kNoPlace;
@@ -119,12 +112,14 @@ class Mapper {
 
   std::vector<MappedPlace> places() const;
   /// Everything that makes the map, to be kept.
-  KeptMap map() const { return {graph_.nodes(), graph_.ties(), graph_.errors()}; }
+  KeptMap map() const { return {graph_.nodes(), graph_.ties(), graph_.errors(), shelf_.nextId()}; }
   /// Takes up a map that was kept, in a mapper that has none; where the robot is on it is not
   /// known. Throws std::invalid_argument where the mapper has one, or an index or a number of `map`
   /// is wrong.
   void restore(const KeptMap& map);
   const ScanGraph& graph() const { return graph_; }
+  /// Nodes before this one are of the map that was taken up.
+  NodeIndex firstOfDrive() const { return first_of_drive_; }
 
  private:
   static constexpr int kMapSession = 1;       ///< in whose frame the map lies
@@ -166,6 +161,7 @@ class Mapper {
   int session_ = 1;                   ///< in whose frame the robot's pose is
   int last_session_ = 1;
   bool first_of_session_ = true;
+  NodeIndex first_of_drive_ = 0;
   std::optional<BaseMoment> last_middle_;  ///< of the newest node
   Pose2d newest_odom_;
   double anchored_way_ = 0.0;              ///< at the last tie

@@ -97,7 +97,12 @@ void Mapper::afterRelaxing() {
 void Mapper::thinOut() {
   // Who refers to nodes by their indices is empty then, but for the shelf.
   if (!loops_.empty() || !joins_.empty() || !undecided_.empty() || closer_.onTrial() != 0) return;
-  if (const auto now = thin(graph_, options_.thinning)) shelf_.renumber(*now);
+  const auto now = thin(graph_, options_.thinning);
+  if (!now) return;
+  shelf_.renumber(*now);
+  const auto of_drive = now->begin() + static_cast<std::ptrdiff_t>(first_of_drive_);
+  first_of_drive_ = static_cast<NodeIndex>(
+      std::count_if(now->begin(), of_drive, [](const auto& kept) { return kept.has_value(); }));
 }
 
 void Mapper::restore(const KeptMap& map) {
@@ -118,7 +123,8 @@ void Mapper::restore(const KeptMap& map) {
     }
   }
   graph_.assign(map.nodes, map.ties, map.errors);
-  shelf_.restore(graph_);
+  shelf_.restore(graph_, map.next_place);
+  first_of_drive_ = map.nodes.size();
   setMode(options_.mode);
   beginSession();
 }

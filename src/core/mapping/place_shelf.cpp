@@ -93,7 +93,8 @@ void PlaceShelf::renumber(const std::vector<std::optional<NodeIndex>>& now) {
   for (auto& [id, at] : node_of_) at = *now[at];
 }
 
-void PlaceShelf::restore(ScanGraph& graph) {
+void PlaceShelf::restore(ScanGraph& graph, PlaceId next_id) {
+  last_id_ = std::max(last_id_, next_id - 1);
   for (NodeIndex at = 0; at < graph.nodes().size(); ++at) {
     const PlaceId id = graph.node(at).place;
     if (id == kNoPlace) continue;

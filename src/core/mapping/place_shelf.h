@@ -34,8 +34,11 @@ class PlaceShelf {
 
   /// After nodes changed their indices: those that were and those that are.
   void renumber(const std::vector<std::optional<NodeIndex>>& now);
-  /// Takes up the places of a graph that was kept; the shelf is empty before.
-  void restore(ScanGraph& graph);
+  /// Takes up the places of a graph that was kept; the shelf is empty before. New places get ids
+  /// from `next_id` on, and higher than all there are.
+  void restore(ScanGraph& graph, PlaceId next_id);
+  /// Ids from here on were never given.
+  PlaceId nextId() const { return last_id_ + 1; }
 
   NodeIndex nodeOf(PlaceId id) const { return node_of_.at(id); }
   bool has(PlaceId id) const { return node_of_.count(id) > 0; }

@@ -1,48 +1,15 @@
 #ifndef PLACE_MEMORY_CORE_MAPPING_SCAN_GRAPH_H
 #define PLACE_MEMORY_CORE_MAPPING_SCAN_GRAPH_H
 
-#include <Eigen/Core>
-#include <chrono>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "core/map/kept_map.h"
 #include "core/map/pose_relaxation.h"
-#include "place_memory/core/place_id.h"
-#include "place_memory/core/sonar_reading.h"
 
 namespace place_memory::core {
-
-using NodeIndex = std::size_t;
-
-/// A moving scan as a node of the graph. Its pose is the base's at the middle of its stretch.
-struct ScanNode {
-  std::chrono::nanoseconds stamp{0};
-  Pose2d odom_from_base;
-  double first_way = 0.0;  ///< ends of its stretch of the way [m]
-  double last_way = 0.0;
-  int session = 0;  ///< in whose frame its pose lies
-  Pose2d pose;
-  std::optional<NodeIndex> before;  ///< that odometry came from
-  Pose2d motion;                    ///< from there, as odometry measured it
-  double motion_way = 0.0;          ///< [m]
-  double motion_turn = 0.0;         ///< not wrapped [rad]
-  std::optional<double> compass;    ///< heading that it showed [rad]
-  std::shared_ptr<const std::vector<SonarReading>> readings;  ///< in its frame
-  PlaceId place = kNoPlace;                                   ///< that it is
-  double laid_yaw = 0.0;  ///< heading in the map for which its grid was laid out [rad]
-};
-
-/// A node as it was matched to a place.
-struct Tie {
-  NodeIndex place = 0;  ///< node of the place
-  NodeIndex node = 0;
-  Pose2d relative;              ///< of the node in the place's frame
-  Eigen::Matrix3d information;  ///< of that
-  int closure = 0;              ///< of which loop closure; 0: a tracked match
-};
 
 /// How far a way through the graph may lead astray [m], [rad]; by its length [m].
 double positionSigma(double way, bool compass);

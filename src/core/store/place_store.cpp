@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -16,14 +15,12 @@
 #include "core/store/store_head.h"
 #include "core/store/store_migration.h"
 #include "core/store/store_reader.h"
+#include "core/store/store_scans.h"
 #include "core/store/store_schema.h"
 #include "core/store/store_writer.h"
 
 namespace place_memory::core {
 namespace {
-
-// Cell sizes that went through text, as in a YAML file, may differ in the last digits.
-constexpr double kCellSizeTolerance = 1e-9;
 
 std::vector<PlaceId> idsOf(const std::vector<Place>& places) {
   std::vector<PlaceId> ids;
@@ -74,7 +71,18 @@ class PlaceStore::Impl {
     }
   }
 
-  void commit(const MapChange& change) {
+  KeptMap scans() {
+    reader();
+    StoreTotals found;
+    KeptMap scans = readScans(*database_, &head_, damages_, found);
+    scans.next_place = head_.next_place;
+    for (ScanNode& node : scans.nodes) {
+      if (!std::binary_search(ids_.begin(), ids_.end(), node.place)) node.place = kNoPlace;
+    }
+    return scans;
+  }
+
+  void commit(const MapChange& change, const KeptMap* scans) {
     resume();
     StoreHead head = head_;
     head.version = change.version;
@@ -85,6 +93,7 @@ class PlaceStore::Impl {
       StoreWriter writer(*database_, head, labels_);
       for (const MapEdit& edit : change.edits) std::visit(writer, edit);
       writer.finish();
+      if (scans != nullptr) writeScans(*database_, *scans, head);
       writeHead(*database_, head);
       transaction.commit();
     } catch (const SqliteError& error) {
@@ -144,7 +153,7 @@ class PlaceStore::Impl {
     const std::optional<StoreHead> head = readHead(database);
     if (head) {
       head_ = *head;
-      requireCellSize();
+      requireCellSize(path_, head_.cell_size, cell_size_);
     } else {
       damages_.add("the store's own row is damaged: the numbers of places are made anew from them");
     }
@@ -155,32 +164,30 @@ class PlaceStore::Impl {
     labels_.clear();
     for (const Place& place : opened_->places) labels_.add(place.label);
     are_labels_known_ = true;
+    StoreTotals found;  // of what belongs to the drives
     if (check_all || !head) {
       reader_->forEachPlanes(ids_, nullptr, [](PlaceId, const CellPlanes&) {});
       reader_->forEachGrid(ids_, [](PlaceId, const EvidenceGrid&) {});
       reader_->checkReadings();
+      readScans(database, head ? &head_ : nullptr, damages_, found);
     }
-    if (!head) makeHead();
+    if (!head) makeHead(found);
   }
 
   // Where the store's own row says nothing any more.
-  void makeHead() {
+  void makeHead(const StoreTotals& of_scans) {
     head_ = StoreHead();
     head_.identity = makeIdentity();
     head_.cell_size = cell_size_;
     head_.totals = reader_->found();
+    for (const StoreTable table : {StoreTable::kNode, StoreTable::kTie, StoreTable::kWheels}) {
+      head_.totals.of(table) = of_scans.of(table);
+    }
     head_.next_place = reader_->highestId() + 1;
     for (const Place& place : opened_->places) {
       head_.next_session = std::max(head_.next_session, place.session + 1);
       head_.stamp = std::max(head_.stamp, place.learned);
     }
-  }
-
-  void requireCellSize() const {
-    if (std::abs(head_.cell_size - cell_size_) <= kCellSizeTolerance) return;
-    throwStoreError(path_, "its grids have cells of " + std::to_string(head_.cell_size) +
-                               " m, but " + std::to_string(cell_size_) +
-                               " m are configured. Set that cell size, or name another file");
   }
 
   // What could not be written when it was opened is opened anew, unless that is bound to fail too.
@@ -283,6 +290,11 @@ void PlaceStore::forEachPlanes(const std::function<void(PlaceId, const CellPlane
   impl_->reader().forEachPlanes(impl_->ids(), impl_->progress(), call);
 }
 
-void PlaceStore::commit(const MapChange& change) { impl_->commit(change); }
+KeptMap PlaceStore::scans() const { return impl_->scans(); }
+
+void PlaceStore::commit(const MapChange& change) { impl_->commit(change, nullptr); }
+void PlaceStore::commit(const MapChange& change, const KeptMap& scans) {
+  impl_->commit(change, &scans);
+}
 
 }  // namespace place_memory::core

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/grid/cell_planes.h"
+#include "core/map/kept_map.h"
 #include "place_memory/core/evidence_grid.h"
 #include "place_memory/core/map_change.h"
 #include "place_memory/core/place_map.h"
@@ -15,7 +16,7 @@
 
 namespace place_memory::core {
 
-/// The map, its grids and the readings they were laid from in an SQLite file (format 3): a change
+/// The map, its grids and the readings they were laid from in an SQLite file (format 4): a change
 /// of the map is one transaction, ids are never used again, and grids are read on demand.
 ///
 /// The journal is SQLite's default, a rollback journal, and not a write-ahead log: the store is
@@ -72,6 +73,12 @@ class PlaceStore {
   /// grid. Thousands are added in a second by one change. Throws StoreError where it cannot be
   /// made; the store is then as it was.
   void commit(const MapChange& change);
+  /// The same, and `scans` take the place of those before.
+  void commit(const MapChange& change, const KeptMap& scans);
+
+  /// The scans that were taken while the robot drove, and what ties them. Those that are damaged
+  /// are left out, with their ties; those that were a place that is gone are no place.
+  KeptMap scans() const;
 
  private:
   class Impl;

@@ -122,9 +122,9 @@ void lock(SqliteDatabase& database) {
 
 // Reads the whole file.
 void checkStructure(SqliteDatabase& database, std::uint32_t format) {
-  // Of old formats the indexes too, which format 3 has not.
-  SqliteStatement check(
-      database, format < kStoreFormat ? "PRAGMA integrity_check(1)" : "PRAGMA quick_check(1)");
+  // Of old formats the indexes too, which newer ones have not.
+  SqliteStatement check(database, format < kFirstFormatWithoutIndexes ? "PRAGMA integrity_check(1)"
+                                                                      : "PRAGMA quick_check(1)");
   if (!check.step() || check.text(0) != "ok") {
     throwStoreError(database.path(), "is damaged: " + check.text(0));
   }

@@ -11,29 +11,27 @@
 namespace place_memory::core {
 namespace {
 
-constexpr StoreTable kAllTables[] = {StoreTable::kPlace,  StoreTable::kLink,     StoreTable::kGrid,
-                                     StoreTable::kPlanes, StoreTable::kReadings, StoreTable::kNode,
-                                     StoreTable::kHistory};
-
-std::vector<unsigned char> pack(const StoreTotals& totals) {
+std::vector<unsigned char> pack(const StoreTotals& totals, std::size_t tables) {
   BytePacker bytes;
-  for (const StoreTable table : kAllTables) {
-    bytes.add(totals.of(table).rows).add(totals.of(table).sum);
+  for (std::size_t i = 0; i < tables; ++i) {
+    const TableTotal& total = totals.of(static_cast<StoreTable>(i));
+    bytes.add(total.rows).add(total.sum);
   }
   return bytes.bytes();
 }
 
-bool unpack(const void* bytes, std::size_t size, StoreTotals& totals) {
+bool unpack(const void* bytes, std::size_t size, std::size_t tables, StoreTotals& totals) {
   ByteUnpacker unpacker(bytes, size);
-  for (const StoreTable table : kAllTables) {
-    totals.of(table).rows = unpacker.take<std::uint64_t>();
-    totals.of(table).sum = unpacker.take<std::uint64_t>();
+  for (std::size_t i = 0; i < tables; ++i) {
+    TableTotal& total = totals.of(static_cast<StoreTable>(i));
+    total.rows = unpacker.take<std::uint64_t>();
+    total.sum = unpacker.take<std::uint64_t>();
   }
   return unpacker.good() && unpacker.left() == 0;
 }
 
-std::int64_t checksumOf(const StoreHead& head) {
-  const std::vector<unsigned char> totals = pack(head.totals);
+std::int64_t checksumOf(const StoreHead& head, std::size_t tables) {
+  const std::vector<unsigned char> totals = pack(head.totals, tables);
   return static_cast<std::int64_t>(RowChecksum()
                                        .add(std::int64_t{1})
                                        .add(head.identity.data(), head.identity.size())
@@ -46,7 +44,17 @@ std::int64_t checksumOf(const StoreHead& head) {
                                        .value());
 }
 
+// Cell sizes that went through text, as in a YAML file, may differ in the last digits.
+constexpr double kCellSizeTolerance = 1e-9;
+
 }  // namespace
+
+void requireCellSize(const std::string& path, double of_store, double wanted) {
+  if (std::abs(of_store - wanted) <= kCellSizeTolerance) return;
+  throwStoreError(path, "its grids have cells of " + std::to_string(of_store) + " m, but " +
+                            std::to_string(wanted) +
+                            " m are configured. Set that cell size, or name another file");
+}
 
 PlaceIdentity makeIdentity() {
   std::random_device random;
@@ -55,7 +63,7 @@ PlaceIdentity makeIdentity() {
   return identity;
 }
 
-std::optional<StoreHead> readHead(SqliteDatabase& database) {
+std::optional<StoreHead> readHead(SqliteDatabase& database, std::size_t tables) {
   SqliteStatement row(database,
                       "SELECT identity, cell_size, next_place, next_session, map_version, "
                       "map_stamp_ns, totals, checksum FROM store WHERE id = 1");
@@ -73,13 +81,13 @@ std::optional<StoreHead> readHead(SqliteDatabase& database) {
   head.next_session = row.integer(3);
   head.version = static_cast<std::uint64_t>(row.integer(4));
   head.stamp = std::chrono::nanoseconds(row.integer(5));
-  if (!unpack(row.blob(6), row.size(6), head.totals)) return std::nullopt;
-  if (checksumOf(head) != row.integer(7)) return std::nullopt;
+  if (!unpack(row.blob(6), row.size(6), tables, head.totals)) return std::nullopt;
+  if (checksumOf(head, tables) != row.integer(7)) return std::nullopt;
   return head;
 }
 
 void writeHead(SqliteDatabase& database, const StoreHead& head) {
-  const std::vector<unsigned char> totals = pack(head.totals);
+  const std::vector<unsigned char> totals = pack(head.totals, kStoreTables);
   SqliteStatement(database, "REPLACE INTO store VALUES(1, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(head.identity.data(), head.identity.size())
       .bind(head.cell_size)
@@ -88,7 +96,7 @@ void writeHead(SqliteDatabase& database, const StoreHead& head) {
       .bind(static_cast<std::int64_t>(head.version))
       .bind(std::int64_t{head.stamp.count()})
       .bind(totals.data(), totals.size())
-      .bind(checksumOf(head))
+      .bind(checksumOf(head, kStoreTables))
       .run();
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/store/sqlite.h"
 #include "place_memory/core/place.h"
@@ -13,8 +14,19 @@
 namespace place_memory::core {
 
 /// The tables whose rows are counted, in the order of the totals. Others may follow them.
-enum class StoreTable : std::size_t { kPlace, kLink, kGrid, kPlanes, kReadings, kNode, kHistory };
-constexpr std::size_t kStoreTables = 7;
+enum class StoreTable : std::size_t {
+  kPlace,
+  kLink,
+  kGrid,
+  kPlanes,
+  kReadings,
+  kNode,
+  kHistory,
+  kTie,
+  kWheels
+};
+constexpr std::size_t kStoreTables = 9;
+constexpr std::size_t kStoreTablesOfFormat3 = 7;
 
 /// How many rows a table has, and the sum of their checksums mod 2^64: by these it is noticed that
 /// a row is gone, or is an older one.
@@ -60,11 +72,15 @@ struct StoreHead {
   }
 };
 
+/// Throws StoreError, saying what to do, where a store's grids have cells of another size [m] than
+/// are wanted.
+void requireCellSize(const std::string& path, double of_store, double wanted);
+
 /// 128 bits of chance.
 PlaceIdentity makeIdentity();
 
-/// Nothing where the row is not there or not as written.
-std::optional<StoreHead> readHead(SqliteDatabase& database);
+/// Nothing where the row is not there or not as written. `tables`: how many are counted in it.
+std::optional<StoreHead> readHead(SqliteDatabase& database, std::size_t tables = kStoreTables);
 void writeHead(SqliteDatabase& database, const StoreHead& head);
 
 }  // namespace place_memory::core

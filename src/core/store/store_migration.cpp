@@ -21,6 +21,21 @@ void fold(const PlaceIdentity& identity, PlaceIdentity& into) {
   for (std::size_t i = 0; i < into.size(); ++i) into[i] ^= identity[i];
 }
 
+// What the tables hold stays as it is, damaged rows too: they are named when they are read.
+void copyFormat3(const SqliteDatabase& old, SqliteDatabase& database) {
+  sqlite3_backup* copy = sqlite3_backup_init(database.handle(), "main", old.handle(), "main");
+  const int result = copy == nullptr ? SQLITE_ERROR : sqlite3_backup_step(copy, -1);
+  if (copy != nullptr) sqlite3_backup_finish(copy);
+  if (result != SQLITE_DONE) {
+    throw SqliteError("place store " + database.path() + ": " + sqlite3_errstr(result), result);
+  }
+  SqliteTransaction transaction(database);
+  const std::optional<StoreHead> head = readHead(database, kStoreTablesOfFormat3);
+  bringSchemaToFormat4(database);
+  if (head) writeHead(database, *head);
+  transaction.commit();
+}
+
 void convert(SqliteDatabase& old, SqliteDatabase& database, double cell_size,
              const StoreProgress& progress) {
   createSchema(database);
@@ -51,6 +66,15 @@ void convert(SqliteDatabase& old, SqliteDatabase& database, double cell_size,
   transaction.commit();
 }
 
+void bringOver(const StoreFile& old, SqliteDatabase& database, double cell_size,
+               const StoreProgress& progress) {
+  if (old.format >= kFirstFormatWithoutIndexes) {
+    copyFormat3(*old.database, database);
+  } else {
+    convert(*old.database, database, cell_size, progress);
+  }
+}
+
 // Returns why it could not be made, or "".
 std::string replaceFile(const StoreFile& old, const std::string& path, double cell_size,
                         const StoreProgress& progress) {
@@ -58,7 +82,7 @@ std::string replaceFile(const StoreFile& old, const std::string& path, double ce
     UnfinishedFile file(path);
     {
       SqliteDatabase database(file.name(), true);
-      convert(*old.database, database, cell_size, progress);
+      bringOver(old, database, cell_size, progress);
     }
     const std::string kept = keepFileAs(path, "format-" + std::to_string(old.format));
     file.publishOver();
@@ -79,7 +103,11 @@ std::string replaceFile(const StoreFile& old, const std::string& path, double ce
 
 StoreFile migrateStore(StoreFile old, const std::string& path, double cell_size,
                        const StoreOpening& opening, std::unique_ptr<SqliteDatabase>& held) {
-  checkOldStore(*old.database, cell_size);
+  if (old.format < kFirstFormatWithoutIndexes) {
+    checkOldStore(*old.database, cell_size);
+  } else if (const auto head = readHead(*old.database, kStoreTablesOfFormat3)) {
+    requireCellSize(path, head->cell_size, cell_size);
+  }
   StoreFile result;
   result.format = kStoreFormat;
   result.why_read_only = old.why_read_only;
@@ -91,7 +119,7 @@ StoreFile migrateStore(StoreFile old, const std::string& path, double cell_size,
     }
   }
   result.database = std::make_unique<SqliteDatabase>(":memory:", true);
-  convert(*old.database, *result.database, cell_size, opening.progress);
+  bringOver(old, *result.database, cell_size, opening.progress);
   held = std::move(old.database);
   return result;
 }

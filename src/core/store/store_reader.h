@@ -29,7 +29,7 @@ class Damages {
   std::unordered_set<std::string> known_;
 };
 
-/// Reads tables of format 3. Rows that are not as they were written are left out and named.
+/// Reads the tables of places. Rows that are not as they were written are left out and named.
 class StoreReader {
  public:
   /// `head` is nothing where it is damaged: totals are not compared then.

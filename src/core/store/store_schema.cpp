@@ -66,23 +66,45 @@ const std::vector<std::string> kTables = {
     readings BLOB,              -- of the scan from which the place was learned
     checksum INTEGER
   ))",
-    R"(CREATE TABLE node(
-    id INTEGER PRIMARY KEY,     -- a scan between places
-    session INTEGER,
-    x REAL,                     -- in the frame of the session [m]
-    y REAL,
-    yaw REAL,                   -- [rad]
-    stamp_ns INTEGER,           -- since the epoch
-    readings BLOB,
-    checksum INTEGER
-  ))",
     R"(CREATE TABLE history(
     version INTEGER PRIMARY KEY,  -- of the map after the change
     stamp_ns INTEGER,             -- since the epoch
     change BLOB,
     checksum INTEGER
   ))",
+    R"(CREATE TABLE node(
+    id INTEGER PRIMARY KEY,     -- a scan that was taken while the robot drove: numbered as it drove
+    session INTEGER,
+    x REAL,                     -- of the base in the frame of the session [m]
+    y REAL,
+    yaw REAL,                   -- [rad]
+    stamp_ns INTEGER,           -- since the epoch
+    place_id INTEGER,           -- that it is; 0: none
+    before INTEGER,             -- node that odometry came from; -1: none
+    way BLOB,                   -- what odometry and compass measured: 11 doubles
+    readings BLOB,              -- in the base's frame
+    checksum INTEGER
+  ))",
+    R"(CREATE TABLE tie(
+    id INTEGER PRIMARY KEY,
+    place_node INTEGER,         -- node of a place
+    node INTEGER,               -- that was matched to it
+    x REAL,                     -- of the node in the place's base frame [m]
+    y REAL,
+    yaw REAL,                   -- [rad]
+    information BLOB,           -- of that, row by row: 9 doubles
+    closure INTEGER,            -- of which loop closure; 0: of none
+    checksum INTEGER
+  ))",
+    R"(CREATE TABLE wheels(
+    id INTEGER PRIMARY KEY,     -- 1: there is one row, or none
+    bend REAL,                  -- turn that odometry misses [rad/m]
+    turn_factor REAL,           -- share of its turns that it misses
+    checksum INTEGER
+  ))",
 };
+// Those that format 3 had not, or had otherwise.
+constexpr std::size_t kSinceFormat4 = 3;
 
 std::vector<std::string> tablesOf(SqliteDatabase& database, const std::string& column,
                                   const std::string& order) {
@@ -106,13 +128,24 @@ void createSchema(SqliteDatabase& database) {
   transaction.commit();
 }
 
+void bringSchemaToFormat4(SqliteDatabase& database) {
+  database.execute("DROP TABLE node");
+  for (std::size_t i = kTables.size() - kSinceFormat4; i < kTables.size(); ++i) {
+    database.execute(kTables[i]);
+  }
+  database.execute("PRAGMA user_version = " + std::to_string(kStoreFormat));
+}
+
 void checkSchema(SqliteDatabase& database, std::uint32_t format) {
   bool sound = false;
   if (format == kStoreFormat) {
     sound = tablesOf(database, "sql", "rowid") == kTables;
   } else {
     std::vector<std::string> names{"grid", "link", "place"};
-    if (format > 1) names.emplace_back("planes");
+    if (format == 2) names.emplace_back("planes");
+    if (format == 3) {
+      names = {"grid", "history", "link", "node", "place", "planes", "readings", "store"};
+    }
     sound = tablesOf(database, "name", "name") == names;
   }
   if (!sound) {

@@ -46,6 +46,13 @@ SqliteStatement& CountedTable::replace(std::int64_t id) {
   return replace_;
 }
 
+bool CountedTable::holds(std::int64_t id, std::uint64_t checksum) {
+  const bool holds =
+      find_.bind(id).step() && static_cast<std::uint64_t>(find_.integer(0)) == checksum;
+  find_.reset();
+  return holds;
+}
+
 bool CountedTable::remove(std::int64_t id) {
   if (!forget(id)) return false;
   remove_.bind(id).run();
@@ -226,7 +233,8 @@ void StoreWriter::operator()(const LinkLearned& edit) {
 }
 
 void StoreWriter::operator()(const MapCleared& /*edit*/) {
-  for (const char* table : {"place", "link", "grid", "planes", "readings", "node", "history"}) {
+  for (const char* table :
+       {"place", "link", "grid", "planes", "readings", "node", "history", "tie", "wheels"}) {
     database_.execute(std::string("DELETE FROM ") + table);
   }
   planes_.close();

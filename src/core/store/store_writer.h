@@ -36,6 +36,8 @@ class CountedTable {
                int columns, TableTotal& total);
 
   bool has(std::int64_t id);
+  /// Whether it has that row, by what it says itself.
+  bool holds(std::int64_t id, std::uint64_t checksum);
   /// With all columns, for a row that add() is told of; what has its key goes.
   SqliteStatement& replace(std::int64_t id);
   void add(std::uint64_t checksum) { total_.add(checksum); }

@@ -172,10 +172,10 @@ TEST_P(HotJournalTest, OfAMigrationToFormat2LeavesAStoreOfFormat1) {
   makeOldStore(path_, 1);
   cutOff(kToFormat2);
   expectOldPlaces(openAndListen());
-  EXPECT_NE(said_.find("from format 1 to 3"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("from format 1 to 4"), std::string::npos) << said_;
 }
 
-TEST_P(HotJournalTest, OfAChangeInFormat3IsUndone) {
+TEST_P(HotJournalTest, OfAChangeInTheNewestFormatIsUndone) {
   fill();
   cutOff("DELETE FROM place; DELETE FROM grid; DELETE FROM planes; PRAGMA user_version = 2;");
   const PlaceStore store = open();

@@ -207,7 +207,7 @@ TEST_F(ScanCollectorTest, AStepOfTheClockToTheEndOfTimeAndBackThrowsNothing) {
   const std::chrono::nanoseconds end = std::chrono::seconds(4294967295);
   begin();
   turnAndSense(0.0, 0.0);
-  const RangeAdapter adapter("/sonar", false, registry_);
+  RangeAdapter adapter("/sonar", parameters_, registry_);
   sensor_msgs::Range m;
   m.header.stamp = ros::Time(kStart);
   m.header.frame_id = frame(0);
