@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/map/place_identity.h"
+#include "core/memory/link_pose.h"
 #include "core/sensing/moved_readings.h"
 
 namespace place_memory::core {
@@ -79,8 +80,7 @@ PlaceAdded DrivenMap::added(const ScanNode& node) const {
   edit.place.id = node.place;
   edit.place.identity = makePlaceIdentity();
   edit.place.label = freeLabel(node.place);
-  // Its axes are the map's.
-  edit.place.place_from_robot = {0.0, 0.0, node.pose.yaw};
+  edit.place.place_from_robot = placeFromRobot(node);
   edit.place.map_from_place = node.pose * edit.place.place_from_robot.inverse();
   edit.place.learned = node.stamp;
   edit.place.session = node.session;
@@ -88,6 +88,31 @@ PlaceAdded DrivenMap::added(const ScanNode& node) const {
   edit.grid = std::make_shared<const EvidenceGrid>(sonar_.build(readings, geometry_));
   edit.readings = std::make_shared<const std::vector<SonarReading>>(std::move(readings));
   return edit;
+}
+
+Pose2d DrivenMap::placeFromRobot(const ScanNode& node) const {
+  const Place* place = map_.find(node.place);
+  // The axes of a new place are the map's.
+  return place == nullptr ? Pose2d{0.0, 0.0, node.pose.yaw} : place->place_from_robot;
+}
+
+std::optional<PlaceLink> DrivenMap::linkOf(const ScanNode& node, const KeptMap& map) const {
+  Pose2d from_node = node.motion;  // of the robot, from where it stood before
+  std::optional<NodeIndex> before = node.before;
+  while (before && map.nodes[*before].place == kNoPlace) {
+    from_node = map.nodes[*before].motion * from_node;
+    before = map.nodes[*before].before;
+  }
+  if (!before) return std::nullopt;
+  const ScanNode& previous = map.nodes[*before];
+  const Stand there{previous.place, placeFromRobot(previous).inverse(), {}};
+  const Stand here{node.place, from_node * placeFromRobot(node).inverse(), {}};
+  if (there.place < here.place) {
+    return linkTo(here.place, here.odom_from_place, there, true, node.stamp);
+  }
+  PlaceLink link = linkTo(there.place, there.odom_from_place, here, true, node.stamp);
+  std::swap(link.forward, link.backward);
+  return link;
 }
 
 std::string DrivenMap::freeLabel(PlaceId id) const {
@@ -118,6 +143,10 @@ void DrivenMap::keep(const KeptMap& map) {
     if (!same(pose, place->map_from_place) || place->session != node->session) {
       change.edits.emplace_back(PlaceMoved{id, pose, node->session});
     }
+  }
+  for (const auto& [id, node] : places) {
+    if (map_.find(id) != nullptr) continue;
+    if (const auto link = linkOf(*node, map)) change.edits.emplace_back(LinkAdded{*link});
   }
   map_.check(change);
   store_.commit(change, map);

@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_CORE_MEMORY_DRIVEN_MAP_H
 #define PLACE_MEMORY_CORE_MEMORY_DRIVEN_MAP_H
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ class DrivenMap {
  private:
   ScanNode nodeOf(const Place& place) const;
   PlaceAdded added(const ScanNode& node) const;
+  Pose2d placeFromRobot(const ScanNode& node) const;
+  /// The way by which the robot came to a place from the one before, as odometry measured it.
+  std::optional<PlaceLink> linkOf(const ScanNode& node, const KeptMap& map) const;
   std::string freeLabel(PlaceId id) const;
 
   GridGeometry geometry_;

@@ -45,6 +45,8 @@ class DrivenMapTest : public PlaceStoreTest {
                  makeNode(2, {3.0, 2.0, -1.0})};
     map.nodes[1].before = 0;
     map.nodes[2].before = 1;
+    map.nodes[1].motion = {1.0, 0.0, kPi / 2.0};
+    map.nodes[2].motion = {1.0, 0.0, 0.0};
     openMap().keep(map);
   }
 };
@@ -63,6 +65,21 @@ TEST_F(DrivenMapTest, APlaceOfTheMapperIsAPlaceOfTheStore) {
   EXPECT_NEAR(place.place_from_robot.yaw, -1.0, 1e-12);
   EXPECT_EQ(store.readings(2).size(), 24U);
   EXPECT_FALSE(store.grid(2) == EvidenceGrid(GridGeometry{kDefaultCellSize}));
+}
+
+TEST_F(DrivenMapTest, ANewPlaceIsLinkedToTheOneThatTheRobotCameFrom) {
+  keepTwo();
+  const PlaceMap map = open().map();
+  const PlaceLink* link = map.findLink(1, 2);
+  ASSERT_NE(link, nullptr);
+  // By odometry the robot came to (1, 1), turned by 90 degrees, of where it stood at place 1.
+  const Pose2d robot = map.find(1)->place_from_robot.inverse() * link->first_from_second *
+                       map.find(2)->place_from_robot;
+  EXPECT_NEAR(robot.x, 1.0, 1e-9);
+  EXPECT_NEAR(robot.y, 1.0, 1e-9);
+  EXPECT_NEAR(robot.yaw, kPi / 2.0, 1e-9);
+  EXPECT_EQ(link->forward.succeeded, 1U);
+  EXPECT_EQ(link->backward.succeeded, 0U);
 }
 
 TEST_F(DrivenMapTest, IsTakenUpAsItWasKept) {
