@@ -144,10 +144,11 @@ void PlaceServices::match(const core::Scan& scan, std::optional<double> window,
         toMessage(answer, makeHeader(context_.parameters.map_frame, toRosTime(scan.end)),
                   ros::Duration(duration.count()));
     response.message = inWords(answer);
-    // Nobody else says how far odometry's yaw is off.
+    // Nobody else says how far odometry's yaw is off; the parameter is pi then.
     if (context_.parameters.heading_topic.empty()) {
-      response.message += window == core::kPi ? "; without a compass any heading was tried"
-                                              : "; headings near odometry's yaw were tried";
+      response.message += window.value_or(core::kPi) == core::kPi
+                              ? "; without a compass any heading was tried"
+                              : "; headings near odometry's yaw were tried";
     }
     context_.publisher.publish(scan, answer, response.recognition);
     if (answer.recognition.verdict == core::Verdict::kRecognized) {
