@@ -13,7 +13,7 @@ import sys
 import tempfile
 import unittest
 
-ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
 WORLDS = os.path.join(ROOT, "config", "worlds")
 TOOL = sys.argv.pop(1)
 TINY = ["--experiments", "1,4", "--seeds", "1", "--methods",
@@ -46,10 +46,11 @@ class TinyRun(unittest.TestCase):
         with open(os.path.join(self.out, name), newline="") as file:
             return list(csv.DictReader(file))
 
-    def test_shows_the_tables_and_a_bar(self):
+    def test_shows_the_tables_and_into_a_pipe_no_bar(self):
         self.assertEqual(self.answer.returncode, 0, self.answer.stderr)
         self.assertIn("| hallway ", self.answer.stdout)
-        self.assertIn("5/5 experiments", self.answer.stderr)
+        self.assertIn("experiments: ", self.answer.stderr)
+        self.assertNotIn("\r", self.answer.stderr)
 
     def test_has_a_row_for_each_case_and_method(self):
         rows = self.rows("summary.csv")
