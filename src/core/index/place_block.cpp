@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "core/kernels/coarse_planes.h"
+#include "core/kernels/popcount.h"
 
 namespace place_memory::core {
 namespace {
 
 std::uint16_t countCells(const BitPlane& plane) {
-  int cells = 0;
-  for (const std::uint64_t row : plane) cells += __builtin_popcountll(row);
+  std::uint64_t cells = 0;
+  for (const std::uint64_t row : plane) cells += PortablePopcount()(row);
   return static_cast<std::uint16_t>(cells);
 }
 

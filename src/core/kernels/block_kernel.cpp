@@ -1,14 +1,16 @@
 #include "core/kernels/block_kernel.h"
 
+#include "core/kernels/popcount.h"
+
 namespace place_memory::core {
 namespace {
 
-std::int64_t popcount(std::uint64_t word) { return __builtin_popcountll(word); }
-
 /// One source for every processor that counts the bits of a word at a time.
+template <typename Popcount>
 [[gnu::always_inline]] inline std::int64_t scorePlace(const KernelInput& input,
                                                       const QueryRow* query, std::size_t place) {
-  std::int64_t oo = 0, oe = 0, eo = 0, ee = 0;
+  constexpr Popcount popcount{};
+  std::uint64_t oo = 0, oe = 0, eo = 0, ee = 0;
   // A row is few instructions, and compilers leave a loop of unknown length as it is.
 #pragma GCC unroll 4
   for (std::size_t row = 0; row < input.rows; ++row) {
@@ -20,21 +22,25 @@ std::int64_t popcount(std::uint64_t word) { return __builtin_popcountll(word); }
     ee += popcount(query[row].empty & learned_e);
   }
   const PairFactors& factors = input.factors;
-  return factors.occupied_occupied * oo + factors.occupied_empty * oe +
-         factors.empty_occupied * eo + factors.empty_empty * ee;
+  return factors.occupied_occupied * static_cast<std::int64_t>(oo) +
+         factors.occupied_empty * static_cast<std::int64_t>(oe) +
+         factors.empty_occupied * static_cast<std::int64_t>(eo) +
+         factors.empty_empty * static_cast<std::int64_t>(ee);
 }
 
+template <typename Popcount>
 [[gnu::always_inline]] inline BlockBest scoreBlock(const KernelInput& input, BlockScores* scores) {
   for (std::size_t t = 0; t < input.transforms; ++t) {
     for (std::size_t place = 0; place < kBlockPlaces; ++place) {
-      scores[t][place] = input.offsets[t] + scorePlace(input, input.query + t * input.rows, place);
+      scores[t][place] =
+          input.offsets[t] + scorePlace<Popcount>(input, input.query + t * input.rows, place);
     }
   }
   return bestOf(scores, input.transforms);
 }
 
 BlockBest scoreBlockPortable(const KernelInput& input, BlockScores* scores) {
-  return scoreBlock(input, scores);
+  return scoreBlock<PortablePopcount>(input, scores);
 }
 
 }  // namespace
@@ -42,7 +48,7 @@ BlockBest scoreBlockPortable(const KernelInput& input, BlockScores* scores) {
 #if defined(__x86_64__)
 [[gnu::target("popcnt")]] BlockBest scoreBlockPopcnt(const KernelInput& input,
                                                      BlockScores* scores) {
-  return scoreBlock(input, scores);
+  return scoreBlock<BuiltinPopcount>(input, scores);
 }
 #endif
 

@@ -1,14 +1,13 @@
 #include "core/kernels/pair_kernel.h"
 
+#include "core/kernels/popcount.h"
+
 namespace place_memory::core {
 namespace {
 
-std::uint64_t popcount(std::uint64_t word) {
-  return static_cast<std::uint64_t>(__builtin_popcountll(word));
-}
-
-template <bool kLeft>
+template <bool kLeft, typename Popcount>
 [[gnu::always_inline]] inline PlaneCounts countRows(const RowPairs& pairs) {
+  constexpr Popcount popcount{};
   PlaneCounts n{};
   const int by = kLeft ? pairs.columns : -pairs.columns;
   for (int row = 0; row < pairs.rows; ++row) {
@@ -26,15 +25,16 @@ template <bool kLeft>
   return n;
 }
 
+template <typename Popcount>
 [[gnu::always_inline]] inline PlaneCounts countBody(const RowPairs& pairs) {
-  return pairs.columns >= 0 ? countRows<true>(pairs) : countRows<false>(pairs);
+  return pairs.columns >= 0 ? countRows<true, Popcount>(pairs) : countRows<false, Popcount>(pairs);
 }
 
-PlaneCounts countPortable(const RowPairs& pairs) { return countBody(pairs); }
+PlaneCounts countPortable(const RowPairs& pairs) { return countBody<PortablePopcount>(pairs); }
 
 #if defined(__x86_64__)
 [[gnu::target("popcnt")]] PlaneCounts countPopcnt(const RowPairs& pairs) {
-  return countBody(pairs);
+  return countBody<BuiltinPopcount>(pairs);
 }
 
 #endif
