@@ -47,6 +47,9 @@ class SqliteDatabase {
   /// Runs statements that return no rows.
   void execute(const std::string& sql);
 
+  /// Becomes, page by page, what the other one is.
+  void copyFrom(const SqliteDatabase& other);
+
  private:
   struct Close {
     void operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
