@@ -145,6 +145,8 @@ TEST_P(BadSensor, IsRejectedWithASentence) {
 INSTANTIATE_TEST_SUITE_P(
     RangeAdapter, BadSensor,
     testing::Values(BadLimits{"", 0.4F, 0.1F, 4.0F, "frame_id is empty"},
+                    BadLimits{"a\nb", 0.4F, 0.1F, 4.0F, "control characters"},
+                    BadLimits{std::string(257, 'a'), 0.4F, 0.1F, 4.0F, "257 bytes"},
                     BadLimits{"s", 0.0F, 0.1F, 4.0F, "field_of_view"},
                     BadLimits{"s", -0.4F, 0.1F, 4.0F, "field_of_view"},
                     BadLimits{"s", 3.15F, 0.1F, 4.0F, "field_of_view"},
