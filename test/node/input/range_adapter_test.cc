@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <ostream>
+#include <string>
 
 namespace place_memory::node {
 namespace {
@@ -120,7 +121,7 @@ TEST(RangeAdapter, NeedsAStamp) {
 }
 
 struct BadLimits {
-  const char* frame;
+  std::string frame;
   float fov;
   float min;
   float max;
