@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <random>
 #include <stdexcept>
@@ -98,7 +99,11 @@ class Client {
         case 0:
         case 1:
         case 2:
-          memory_.size() < kMostPlaces ? learn() : remove(own);
+          if (memory_.size() < kMostPlaces) {
+            learn();
+          } else {
+            remove(own);
+          }
           break;
         case 3:
         case 4:
@@ -108,7 +113,11 @@ class Client {
           rename(own);
           break;
         default:
-          random_() % kDeedsBetweenClears == 0 ? clear() : remove(own);
+          if (random_() % kDeedsBetweenClears == 0) {
+            clear();
+          } else {
+            remove(own);
+          }
       }
     }
   }
@@ -127,7 +136,8 @@ class Client {
 
   core::Scan scanOf(unsigned room, const core::Pose2d& from) {
     core::Scan scan = core::RandomRoom(room).scanFrom(from);
-    scan.odom_from_scan = {0.1 * (random_() % 100), 0.1 * (random_() % 100), 0.0};
+    const auto place = [this] { return 0.1 * static_cast<double>(random_() % 100); };
+    scan.odom_from_scan = {place(), place(), 0.0};
     scan.end = std::chrono::nanoseconds(random_());
     return scan;
   }

@@ -4,9 +4,11 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <random>
 #include <thread>
 
@@ -51,7 +53,7 @@ class CrashTest : public testing::Test {
   }
 
   void killOne(unsigned clients) {
-    const auto life = kLongestLife * static_cast<double>(random_()) / random_.max();
+    const auto life = kLongestLife * (static_cast<double>(random_()) / static_cast<double>(random_.max()));
     const int status = runChild(
         clients, [] {},
         [&](pid_t child) {

@@ -47,6 +47,9 @@ class SqliteDatabase {
   /// Runs statements that return no rows.
   void execute(const std::string& sql);
 
+  /// Its errors name another file from now on: of which it holds what that one should.
+  void standFor(const std::string& path) { path_ = path; }
+
   /// Becomes, page by page, what the other one is.
   void copyFrom(const SqliteDatabase& other);
 

@@ -48,6 +48,7 @@ std::unique_ptr<SqliteDatabase> undoneBy(const std::string& path, const fs::path
   SqliteStatement(undone, "SELECT count(*) FROM sqlite_master").run();
   auto database = std::make_unique<SqliteDatabase>(":memory:", true);
   database->copyFrom(undone);
+  database->standFor(path);
   return database;
 }
 
