@@ -228,8 +228,7 @@ void keepBusy(const BusyMemory& busy) {
     const Teller teller(memory, log);
     std::vector<std::thread> threads;
     for (unsigned client = 0; client < busy.clients; ++client) {
-      threads.emplace_back(
-          [&, client] { Client(memory, log, client, busy.seed).work(); });
+      threads.emplace_back([&, client] { Client(memory, log, client, busy.seed).work(); });
     }
     for (std::thread& thread : threads) thread.join();
   } catch (const std::exception& error) {

@@ -15,12 +15,12 @@ enum class Deed : std::uint8_t { kLearn, kRecognize, kRename, kRemove, kClear };
 /// What somebody has to say who may be killed right after.
 struct Said {
   enum class What : std::uint8_t {
-    kOpened,     ///< the memory, with this map
-    kAsked,      ///< a client, for a deed
-    kChanged,    ///< the memory's listener: the map is this one now
-    kAnswered,   ///< the client: the deed is done
-    kDeclined,   ///< the client: the deed made no sense by then, with the reason
-    kFailed,     ///< something that must not be, with the reason
+    kOpened,    ///< the memory, with this map
+    kAsked,     ///< a client, for a deed
+    kChanged,   ///< the memory's listener: the map is this one now
+    kAnswered,  ///< the client: the deed is done
+    kDeclined,  ///< the client: the deed made no sense by then, with the reason
+    kFailed,    ///< something that must not be, with the reason
   };
 
   What what = What::kFailed;

@@ -27,10 +27,13 @@ void Ledger::add(const Said& said) {
                             std::to_string(map_.version));
       }
       map_ = said.map;
-      is_cleared_ = is_cleared_ || map_.places.empty();
+      if (map_.places.empty()) {
+        for (const auto& [client, asked] : asked_) cleared_.insert(client);
+      }
       break;
     case What::kAsked:
       asked_[said.client] = said;
+      cleared_.erase(said.client);
       break;
     case What::kAnswered:
       acknowledge(said);
@@ -56,13 +59,13 @@ void Ledger::open(const MapRecord& found) {
   }
   map_ = found;
   asked_.clear();
-  is_cleared_ = map_.places.empty();
 }
 
 // A deed of a client's own places stays done until somebody clears the map.
 void Ledger::acknowledge(const Said& said) {
   ++acknowledged_;
-  const bool is_there = is_cleared_ || (said.deed == Deed::kLearn && has(said.text)) ||
+  const bool is_cleared = cleared_.count(said.client) > 0;
+  const bool is_there = is_cleared || (said.deed == Deed::kLearn && has(said.text)) ||
                         (said.deed == Deed::kRename && has(said.new_text)) ||
                         (said.deed == Deed::kRemove && !has(said.text)) ||
                         said.deed == Deed::kRecognize;
@@ -71,9 +74,8 @@ void Ledger::acknowledge(const Said& said) {
 
 bool Ledger::isOneMore(const MapRecord& found) const {
   if (found.version != map_.version + 1) return false;
-  return std::any_of(asked_.begin(), asked_.end(), [&](const auto& client) {
-    return explains(client.second, found);
-  });
+  return std::any_of(asked_.begin(), asked_.end(),
+                     [&](const auto& client) { return explains(client.second, found); });
 }
 
 bool Ledger::explains(const Said& asked, const MapRecord& found) const {

@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_TEST_ENDURANCE_LEDGER_H
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,7 @@ class Ledger {
 
   MapRecord map_;
   std::map<std::uint32_t, Said> asked_;  ///< by client: what it waits for
-  bool is_cleared_ = false;              ///< by anybody, in the run of this process
+  std::set<std::uint32_t> cleared_;      ///< clients who wait while somebody clears the map
   int acknowledged_ = 0;
   int openings_ = 0;
   int untold_ = 0;

@@ -75,8 +75,8 @@ TEST(Ledger, FindsEveryKindOfLoss) {
   MapRecord faded = mapOf(2, {"a", "b"});
   faded.grids[2] = 1;
   for (const MapRecord& found :
-       {mapOf(1, {"a"}), mapOf(3, {"a", "b", "d"}), mapOf(4, {"a", "b", "c"}),
-        mapOf(3, {"a", "c"}), moved, unlinked, faded}) {
+       {mapOf(1, {"a"}), mapOf(3, {"a", "b", "d"}), mapOf(4, {"a", "b", "c"}), mapOf(3, {"a", "c"}),
+        moved, unlinked, faded}) {
     Ledger ledger = ledgerOfTwo();
     ledger.add(say(What::kOpened, found));
     EXPECT_EQ(ledger.problems().size(), 1U);
@@ -84,9 +84,9 @@ TEST(Ledger, FindsEveryKindOfLoss) {
 }
 
 TEST(Ledger, FindsWhatWasAcknowledgedTooEarly) {
-  for (const Said& said : {say(What::kAnswered, Deed::kLearn, "c"),
-                           say(What::kAnswered, Deed::kRemove, "a"),
-                           say(What::kAnswered, Deed::kRename, "a", "e")}) {
+  for (const Said& said :
+       {say(What::kAnswered, Deed::kLearn, "c"), say(What::kAnswered, Deed::kRemove, "a"),
+        say(What::kAnswered, Deed::kRename, "a", "e")}) {
     Ledger ledger = ledgerOfTwo();
     ledger.add(said);
     EXPECT_EQ(ledger.problems().size(), 1U);

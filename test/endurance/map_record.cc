@@ -11,7 +11,9 @@ namespace {
 using core::BytePacker;
 using core::ByteUnpacker;
 
-void add(BytePacker& bytes, const core::Pose2d& pose) { bytes.add(pose.x).add(pose.y).add(pose.yaw); }
+void add(BytePacker& bytes, const core::Pose2d& pose) {
+  bytes.add(pose.x).add(pose.y).add(pose.yaw);
+}
 
 void add(BytePacker& bytes, const core::LinkDirection& direction) {
   bytes.add(direction.succeeded).add(direction.failed).add(std::int64_t{direction.last.count()});

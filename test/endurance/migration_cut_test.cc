@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kKills = 16;
+constexpr int kKills = 8;
 
 /// A store of an older format whose migration is cut off again and again.
 class MigrationCutTest : public PlaceStoreTest, public testing::WithParamInterface<int> {
@@ -84,11 +84,11 @@ TEST_P(MigrationCutTest, KilledAnywhereItLeavesTheOldStoreOrTheNewOne) {
 }
 
 TEST_P(MigrationCutTest, WhereverThePowerFailsItLeavesTheOldStoreOrTheNewOne) {
-  const int step = std::getenv("PLACE_MEMORY_EVERY_OPERATION") == nullptr ? 11 : 1;
+  const int step = std::getenv("PLACE_MEMORY_EVERY_OPERATION") == nullptr ? 17 : 1;
   int cuts = 0;
   for (int operation = 1;; operation += step) {
-    const int status = open(
-        [&] { letPowerFail(operation, static_cast<unsigned>(operation)); }, [](pid_t) {});
+    const int status =
+        open([&] { letPowerFail(operation, static_cast<unsigned>(operation)); }, [](pid_t) {});
     ASSERT_TRUE(WIFEXITED(status)) << status;
     expectWhole();
     if (WEXITSTATUS(status) != kPowerFailed) {

@@ -198,11 +198,10 @@ int characteristics(sqlite3_file* file) {
 }
 
 // Version 1: without memory maps, which nobody could watch.
-const sqlite3_io_methods kMethods = {1,          closeFile,       readFile,   writeFile,
-                                     truncateFile, synchronizeFile, sizeOfFile, lockFile,
-                                     unlockFile, isReserved,      control,    sectorSize,
-                                     characteristics, nullptr,    nullptr,    nullptr,
-                                     nullptr,    nullptr,         nullptr};
+const sqlite3_io_methods kMethods = {
+    1,        closeFile,  readFile,   writeFile, truncateFile, synchronizeFile, sizeOfFile,
+    lockFile, unlockFile, isReserved, control,   sectorSize,   characteristics, nullptr,
+    nullptr,  nullptr,    nullptr,    nullptr,   nullptr};
 
 sqlite3_vfs* real_vfs = nullptr;
 

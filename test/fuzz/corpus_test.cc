@@ -16,8 +16,7 @@ namespace fs = std::filesystem;
 class CorpusTest : public testing::TestWithParam<Target> {};
 
 TEST_P(CorpusTest, IsTakenOrRefused) {
-  const fs::path folder =
-      fs::path(PLACE_MEMORY_SOURCE_DIR) / "test/fuzz/corpus" / GetParam().name;
+  const fs::path folder = fs::path(PLACE_MEMORY_SOURCE_DIR) / "test/fuzz/corpus" / GetParam().name;
   ASSERT_TRUE(fs::is_directory(folder)) << folder;
   int files = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {

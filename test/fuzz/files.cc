@@ -27,7 +27,8 @@ void runEpisodes(const std::uint8_t* bytes, std::size_t size) {
       }
     }
   } catch (const std::runtime_error& error) {
-    require(std::string(error.what()).find(".jsonl:") != std::string::npos, "refused without a line");
+    require(std::string(error.what()).find(".jsonl:") != std::string::npos,
+            "refused without a line");
   }
 }
 
@@ -40,7 +41,8 @@ void runDrive(const std::uint8_t* bytes, std::size_t size) {
       }
     }
   } catch (const std::runtime_error& error) {
-    require(std::string(error.what()).find(".drive") != std::string::npos, "refused without a line");
+    require(std::string(error.what()).find(".drive") != std::string::npos,
+            "refused without a line");
   }
 }
 

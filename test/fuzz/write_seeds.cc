@@ -79,9 +79,9 @@ void writeMessages(const std::string& folder) {
   transforms.transforms[0].child_frame_id = "sonar_1";
   transforms.transforms[0].transform.rotation.w = 1.0;
   const std::vector<std::string> inputs{
-      inputOf(0, range), inputOf(2, cloud),  inputOf(4, cloud2),   inputOf(6, scan),
-      inputOf(8, imu),   inputOf(10, field), inputOf(12, bearing), inputOf(14, odometry),
-      inputOf(16, transforms)};
+      inputOf(0, range),    inputOf(2, cloud),     inputOf(4, cloud2),
+      inputOf(6, scan),     inputOf(8, imu),       inputOf(10, field),
+      inputOf(12, bearing), inputOf(14, odometry), inputOf(16, transforms)};
   std::string all;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     writeFile(folder + "/message-" + std::to_string(i), inputs[i]);

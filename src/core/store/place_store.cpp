@@ -204,7 +204,7 @@ class PlaceStore::Impl {
   const StoreOpening opening_;
   std::unique_ptr<SqliteDatabase> database_;
   std::unique_ptr<SqliteDatabase> held_;  ///< file in an old format, of which database_ is a copy
-  bool is_copy_ = false;  ///< database_ is, of a file that cannot be written
+  bool is_copy_ = false;                  ///< database_ is, of a file that cannot be written
   std::string why_read_only_;
   bool is_changed_ = false;  ///< by another program
   StoreHead head_;

@@ -131,8 +131,8 @@ std::optional<Journal> readJournal(const std::string& path) {
   const std::uint64_t sector = numbers.fixed(kNumber);
   journal.page_size = numbers.fixed(kNumber);
   journal.is_empty = rows == 0;
-  const std::size_t page_size = static_cast<std::size_t>(std::min<std::uint64_t>(
-      journal.page_size, std::uint64_t{1} << 16U));
+  const std::size_t page_size =
+      static_cast<std::size_t>(std::min<std::uint64_t>(journal.page_size, std::uint64_t{1} << 16U));
   std::uint64_t at = sector;
   for (std::uint64_t row = 0; row < rows; ++row, at += page_size + 2 * kNumber) {
     const Bytes number = read(file, at, kNumber);
@@ -159,8 +159,8 @@ bool isJournalOfAnotherFile(const std::string& path) {
   const std::uint64_t pages = std::filesystem::file_size(path, error) / header.pageSize();
   if (journal->is_empty) return !error && pages != journal->pages_of_file;
   std::ifstream file(path, std::ios::binary);
-  const Bytes now = read(file, (kPageOfStore - 1) * std::uint64_t{header.pageSize()},
-                         header.pageSize());
+  const Bytes now =
+      read(file, (kPageOfStore - 1) * std::uint64_t{header.pageSize()}, header.pageSize());
   if (now == journal->page_of_store) return false;
   const std::optional<Head> after = headOn(now);
   const std::optional<Head> before = headOn(journal->page_of_store);
