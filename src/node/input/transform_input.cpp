@@ -18,9 +18,9 @@ TransformInput::TransformInput(const ros::NodeHandle& names, tf2::BufferCore& bu
   names_.setCallbackQueue(&queue_);
   const auto subscribe = [this](const char* topic, bool is_static) {
     // Not yet read, so that its lengths are looked at first.
-    const boost::function<void(const RawMessage::ConstPtr&)> take =
+    const boost::function<void(const RawMessage::ConstPtr&)> on_message =
         [this, is_static](const RawMessage::ConstPtr& message) { take(*message, is_static); };
-    subscribers_.push_back(names_.subscribe<RawMessage>(topic, kQueueLength, take));
+    subscribers_.push_back(names_.subscribe<RawMessage>(topic, kQueueLength, on_message));
   };
   subscribe("/tf", false);
   subscribe("/tf_static", true);
