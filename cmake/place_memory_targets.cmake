@@ -1,12 +1,25 @@
 # What every target of this package has in common.
 
-# Sanitizers have to be on in everything that is linked together, so they are set for the directory.
-if(PLACE_MEMORY_SANITIZE)
-  string(REPLACE ";" "," place_memory_sanitizers "${PLACE_MEMORY_SANITIZE}")
-  add_compile_options(-fsanitize=${place_memory_sanitizers} -fno-omit-frame-pointer)
+# Sanitizers, and what fuzzers and coverage count by, have to be on in everything that is linked
+# together, so they are set for the directory.
+set(place_memory_sanitizers ${PLACE_MEMORY_SANITIZE})
+if(PLACE_MEMORY_FUZZ)
+  list(APPEND place_memory_sanitizers fuzzer-no-link)
+endif()
+if(place_memory_sanitizers)
+  string(REPLACE ";" "," place_memory_sanitizers "${place_memory_sanitizers}")
+  # What is found ends the program, so that no test passes over it.
+  add_compile_options(-fsanitize=${place_memory_sanitizers} -fno-omit-frame-pointer
+                      -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${place_memory_sanitizers})
-  # With them GCC takes members of std::function in std::regex for uninitialized.
-  set(place_memory_unreliable_warnings -Wno-maybe-uninitialized)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # With them GCC takes members of std::function in std::regex for uninitialized.
+    set(place_memory_unreliable_warnings -Wno-maybe-uninitialized)
+  endif()
+endif()
+if(PLACE_MEMORY_COVERAGE)
+  add_compile_options(-fprofile-instr-generate -fcoverage-mapping)
+  add_link_options(-fprofile-instr-generate)
 endif()
 
 # place_memory_warnings(<target>...): the warnings this package's own code must be free of.

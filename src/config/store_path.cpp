@@ -1,7 +1,10 @@
 #include "config/store_path.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
+#include <string_view>
 
 #include "support/text.h"
 
@@ -15,7 +18,46 @@ std::string home() {
   return folder == nullptr ? "" : folder;
 }
 
+constexpr std::size_t kMostNameBytes = 1000;
+
+// Which SQLite has beside a store; the rest of a name is of no matter.
+bool isPartOfStore(const std::string& name) {
+  for (const std::string_view ending : {"-journal", "-wal", "-shm"}) {
+    if (name.size() >= ending.size() && name.substr(name.size() - ending.size()) == ending) {
+      return true;
+    }
+  }
+  return false;
+}
+
+[[noreturn]] void refuseName(const std::string& name, const std::string& why) {
+  throw std::runtime_error("the name \"" + support::printable(name.substr(0, kMostNameBytes)) +
+                           "\" of a store " + why);
+}
+
 }  // namespace
+
+std::string pathInStoreDirectory(const std::string& directory, const std::string& name) {
+  namespace fs = std::filesystem;
+  if (support::trimmed(name).empty()) refuseName(name, "must not be blank");
+  if (name.size() > kMostNameBytes) refuseName(name, "is too long");
+  if (support::hasControls(name)) refuseName(name, "must not hold control characters");
+  if (name.front() == '~') refuseName(name, "must not begin with a tilde");
+  if (isPartOfStore(name)) refuseName(name, "is that of a part of another one");
+  std::error_code error;
+  const fs::path folder = fs::canonical(directory, error);
+  if (error) throw std::runtime_error("there is no folder " + directory + " of stores");
+  const fs::path wanted = folder / name;  // a whole path stays one
+  const fs::path whole = fs::weakly_canonical(wanted, error);
+  const auto [end, at] = std::mismatch(folder.begin(), folder.end(), whole.begin(), whole.end());
+  const bool is_below = !error && end == folder.end() && at != whole.end();
+  // A link to what is not there is not resolved, and would be followed by who makes the file.
+  const bool leads_nowhere = fs::is_symlink(wanted, error) && !fs::exists(wanted, error);
+  if (!is_below || leads_nowhere || whole.filename().empty()) {
+    refuseName(name, "must be that of a file below " + folder.string());
+  }
+  return whole.string();
+}
 
 std::string checkStorePath(const std::string& path) {
   if (support::hasControls(path)) return "must be a path without control characters";

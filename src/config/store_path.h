@@ -14,6 +14,12 @@ std::string checkStorePath(const std::string& path);
 /// checkStorePath() takes.
 std::string absoluteStorePath(const std::string& path);
 
+/// Where a store of this name, which somebody on the network gave, lies in the folder that stores
+/// are kept in: below it, links resolved. Whatever would lie elsewhere, be it by "..", a whole path
+/// or a link, or would be taken for a part of another store, is refused: throws std::runtime_error
+/// that says what is wrong in a sentence. `directory` has to be there.
+std::string pathInStoreDirectory(const std::string& directory, const std::string& name);
+
 }  // namespace place_memory::config
 
 #endif  // PLACE_MEMORY_CONFIG_STORE_PATH_H

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "node/input/message_lengths.h"
+
 namespace place_memory::tools {
 
 /// Names are the same with and without the slash: a bag has them resolved, parameters do not.
@@ -31,10 +33,7 @@ struct StoredMessage {
   std::shared_ptr<Message> as() const {
     if (md5sum != ros::message_traits::MD5Sum<Message>::value()) return nullptr;
     auto message = std::make_shared<Message>();
-    // The stream reads alone, whatever its type says.
-    ros::serialization::IStream stream(const_cast<std::uint8_t*>(bytes.data()),
-                                       static_cast<std::uint32_t>(bytes.size()));
-    ros::serialization::deserialize(stream, *message);
+    node::readContent(bytes, *message);
     return message;
   }
 };

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "config/load_parameters.h"
+#include "core/temporary_folder.h"
 
 namespace place_memory::config {
 namespace {
@@ -63,6 +64,35 @@ TEST_F(StorePath, WhatIsNoFileIsRefused) {
   EXPECT_NE(problemOf("store: '  '").find("blank"), std::string::npos);
   unsetenv("HOME");
   EXPECT_NE(problemOf("store: ~/places.db").find("HOME is not set"), std::string::npos);
+}
+
+TEST(PathInStoreDirectory, LiesBelowIt) {
+  const TemporaryFolder folder;
+  const std::string root = std::filesystem::canonical(folder.path()).string();
+  std::filesystem::create_directory(folder.file("floor"));
+  EXPECT_EQ(pathInStoreDirectory(root, "a.db"), root + "/a.db");
+  EXPECT_EQ(pathInStoreDirectory(root, "floor/../floor/a.db"), root + "/floor/a.db");
+  EXPECT_EQ(pathInStoreDirectory(root, root + "/a.db"), root + "/a.db");
+  EXPECT_EQ(pathInStoreDirectory(root, "..a"), root + "/..a");
+  EXPECT_EQ(pathInStoreDirectory(root, "; rm -rf $HOME"), root + "/; rm -rf $HOME");
+}
+
+TEST(PathInStoreDirectory, NothingElseIsReached) {
+  const TemporaryFolder folder;
+  const TemporaryFolder other;
+  const std::string root = folder.path().string();
+  std::filesystem::create_directory_symlink(other.path(), folder.file("out"));
+  std::filesystem::create_symlink(other.file("a.db"), folder.file("link.db"));
+  std::filesystem::create_symlink("/nowhere/a.db", folder.file("dangling.db"));
+  for (const std::string& name :
+       {std::string(), std::string("  "), std::string("."), std::string(".."), std::string("a/"),
+        std::string("../a.db"), std::string("floor/../../a.db"), std::string("/etc/passwd"),
+        root + "2/a.db", std::string("~/a.db"), std::string("out/a.db"), std::string("link.db"),
+        std::string("dangling.db"), std::string("a\n.db"), std::string("a\0.db", 5),
+        std::string("places.db-journal"), std::string("places.db-wal"), std::string(2000, 'a')}) {
+    EXPECT_THROW(pathInStoreDirectory(root, name), std::runtime_error) << name;
+  }
+  EXPECT_THROW(pathInStoreDirectory(root + "/none", "a.db"), std::runtime_error);
 }
 
 }  // namespace

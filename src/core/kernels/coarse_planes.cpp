@@ -124,8 +124,15 @@ void coarsenPortable(const CellPlanes& cells, const int* by, std::size_t count, 
   coarsenAll(cells, by, count, rows, inside);
 }
 
-[[gnu::target("avx512f,avx512bw,avx512vl,prefer-vector-width=512")]] void coarsenAvx512(
-    const CellPlanes& cells, const int* by, std::size_t count, QueryRow* rows, CellTotals* inside) {
+// GCC takes vectors of 256 bits otherwise; clang knows no such word.
+#if defined(__clang__)
+#define PLACE_MEMORY_AVX512 "avx512f,avx512bw,avx512vl"
+#else
+#define PLACE_MEMORY_AVX512 "avx512f,avx512bw,avx512vl,prefer-vector-width=512"
+#endif
+[[gnu::target(PLACE_MEMORY_AVX512)]] void coarsenAvx512(const CellPlanes& cells, const int* by,
+                                                        std::size_t count, QueryRow* rows,
+                                                        CellTotals* inside) {
   coarsenAll(cells, by, count, rows, inside);
 }
 #endif

@@ -32,7 +32,7 @@ PlaceLink linkTo(PlaceId place, const Pose2d& odom_from_place, const Stand& from
   link.second = place;
   link.forward = {1, 0, arrived};
   if (!located) {
-    for (const std::size_t at : {0, 4, 8}) link.covariance[at] = kUnknownVariance;
+    for (const std::size_t at : {0U, 4U, 8U}) link.covariance[at] = kUnknownVariance;
     return link;
   }
   link.first_from_second = from.odom_from_place.inverse() * odom_from_place;

@@ -28,10 +28,11 @@ class FileHeader {
   }
   std::uint32_t applicationId() const { return number(68, 4); }
   std::uint32_t userVersion() const { return number(60, 4); }
-  std::uint64_t fileSize() const {
+  std::uint32_t pageSize() const {
     const std::uint32_t page_size = number(16, 2);
-    return std::uint64_t{page_size == 1 ? 65536 : page_size} * number(28, 4);
+    return page_size == 1 ? 65536 : page_size;
   }
+  std::uint64_t fileSize() const { return std::uint64_t{pageSize()} * number(28, 4); }
 
  private:
   std::uint32_t number(std::size_t offset, std::size_t size) const {

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
-#include <unordered_set>
 #include <utility>
 #include <variant>
 
+#include "core/store/place_ids.h"
 #include "core/store/sqlite.h"
 #include "core/store/store_file.h"
 #include "core/store/store_head.h"
@@ -20,39 +20,6 @@
 #include "core/store/store_writer.h"
 
 namespace place_memory::core {
-namespace {
-
-std::vector<PlaceId> idsOf(const std::vector<Place>& places) {
-  std::vector<PlaceId> ids;
-  ids.reserve(places.size());
-  for (const Place& place : places) ids.push_back(place.id);
-  return ids;
-}
-
-// What becomes of the ids, which rise, by a change.
-void follow(const MapChange& change, std::vector<PlaceId>& ids) {
-  std::unordered_set<PlaceId> removed;
-  for (const MapEdit& edit : change.edits) {
-    if (const auto* place = std::get_if<PlaceAdded>(&edit)) {
-      removed.erase(place->place.id);
-      ids.push_back(place->place.id);
-    } else if (const auto* gone = std::get_if<PlaceRemoved>(&edit)) {
-      removed.insert(gone->id);
-    } else if (std::holds_alternative<MapCleared>(edit)) {
-      ids.clear();
-      removed.clear();
-    }
-  }
-  if (!removed.empty()) {
-    ids.erase(std::remove_if(ids.begin(), ids.end(),
-                             [&removed](PlaceId id) { return removed.count(id) > 0; }),
-              ids.end());
-  }
-  if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-
-}  // namespace
 
 class PlaceStore::Impl {
  public:
@@ -89,6 +56,8 @@ class PlaceStore::Impl {
     head.stamp = change.stamp;
     try {
       SqliteTransaction transaction(*database_);
+      // First of all, so that the journal says of which version of the store it is.
+      writeHead(*database_, head_);
       knowLabels();
       StoreWriter writer(*database_, head, labels_);
       for (const MapEdit& edit : change.edits) std::visit(writer, edit);
@@ -146,6 +115,7 @@ class PlaceStore::Impl {
     }
     read(*file.database, file.checked);
     database_ = std::move(file.database);
+    is_copy_ = file.is_copy;
     why_read_only_ = file.why_read_only;
   }
 
@@ -193,7 +163,7 @@ class PlaceStore::Impl {
   // What could not be written when it was opened is opened anew, unless that is bound to fail too.
   void resume() {
     if (is_changed_) throw StoreError(why_read_only_);
-    const bool is_writable = database_ && !held_ && !database_->isReadOnly();
+    const bool is_writable = database_ && !held_ && !is_copy_ && !database_->isReadOnly();
     if (is_writable) return;
     const std::string folder = std::filesystem::path(path_).parent_path().string();
     if (access(path_.c_str(), W_OK) != 0 || access(folder.c_str(), W_OK) != 0) {
@@ -234,6 +204,7 @@ class PlaceStore::Impl {
   const StoreOpening opening_;
   std::unique_ptr<SqliteDatabase> database_;
   std::unique_ptr<SqliteDatabase> held_;  ///< file in an old format, of which database_ is a copy
+  bool is_copy_ = false;                  ///< database_ is, of a file that cannot be written
   std::string why_read_only_;
   bool is_changed_ = false;  ///< by another program
   StoreHead head_;

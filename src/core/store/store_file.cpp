@@ -6,7 +6,9 @@
 
 #include "core/store/file_header.h"
 #include "core/store/store_head.h"
+#include "core/store/store_journal.h"
 #include "core/store/store_schema.h"
+#include "core/store/undone_copy.h"
 #include "core/store/unfinished_file.h"
 
 namespace place_memory::core {
@@ -14,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool hasJournal(const std::string& path) { return fs::exists(path + "-journal"); }
+bool hasJournal(const std::string& path) { return fs::exists(journalOf(path)); }
 
 // SQLite would start afresh in an empty file and write to any database of its own format, so what
 // the file is gets settled before SQLite sees it.
@@ -31,29 +33,38 @@ FileHeader readHeader(const std::string& path) {
 
 // Power that fails during a change leaves a file that is neither as before nor as after it, and a
 // journal by which SQLite undoes the change when it reads. Only then is it known what the file is.
-void undoUnfinishedChange(const std::string& path) {
-  if (!hasJournal(path)) return;
+// Returns why it cannot be undone in the file, or "".
+std::string undoUnfinishedChange(const std::string& path) {
+  if (!hasJournal(path)) return "";
   readHeader(path);
+  if (isJournalOfAnotherFile(path)) {
+    throwStoreError(path, "the change that was cut off by " + journalOf(path) +
+                              " was one of another file, or of this one at another time: both were "
+                              "left as they are. Where the store is a copy that was put here, move "
+                              "that journal away; otherwise put the file back that it belongs to");
+  }
   try {
     SqliteDatabase database(path, false);
     SqliteStatement(database, "SELECT count(*) FROM sqlite_master").run();
   } catch (const SqliteError& error) {
-    if (error.code() != SQLITE_READONLY && error.code() != SQLITE_CANTOPEN) throw;
-    throwStoreError(path,
-                    "a change was cut off and has to be undone first, but the file and its "
-                    "folder cannot be written");
+    if (!error.isOfDisk()) throw;
+    return error.what();
   }
+  return "";
+}
+
+void requireKnownFormat(const std::string& path, std::uint32_t format) {
+  if (format >= kOldestStoreFormat && format <= kStoreFormat) return;
+  throwStoreError(path, "has format " + std::to_string(format) + ", but " +
+                            std::to_string(kStoreFormat) +
+                            " is the last one known here: it was written by a newer version");
 }
 
 // Returns the format.
 std::uint32_t checkHeader(const std::string& path) {
   const FileHeader header = readHeader(path);
   const std::uint32_t format = header.userVersion();
-  if (format < kOldestStoreFormat || format > kStoreFormat) {
-    throwStoreError(path, "has format " + std::to_string(format) + ", but " +
-                              std::to_string(kStoreFormat) +
-                              " is the last one known here: it was written by a newer version");
-  }
+  requireKnownFormat(path, format);
   const std::uint64_t size = fs::file_size(path);
   if (size < header.fileSize()) {
     throwStoreError(path, "was cut short: " + std::to_string(size) + " of " +
@@ -130,11 +141,27 @@ void checkStructure(SqliteDatabase& database, std::uint32_t format) {
   }
 }
 
+// Where a change that was cut off cannot be undone in the file, because of `why`.
+StoreFile openCopy(const std::string& path, const std::string& why) {
+  StoreFile file;
+  file.is_copy = true;
+  file.why_read_only = why;
+  file.database = undoneCopy(path);
+  SqliteStatement format(*file.database, "PRAGMA user_version");
+  format.step();
+  file.format = static_cast<std::uint32_t>(format.integer(0));
+  requireKnownFormat(path, file.format);
+  checkStructure(*file.database, file.format);
+  checkSchema(*file.database, file.format);
+  return file;
+}
+
 StoreFile openFile(const std::string& path, double cell_size, const StoreOpening& opening) {
   requireFile(path, cell_size);
   // Whoever ends in good order takes the journal along.
   const bool ended_well = !hasJournal(path);
-  undoUnfinishedChange(path);
+  const std::string why_not_undone = undoUnfinishedChange(path);
+  if (!why_not_undone.empty()) return openCopy(path, why_not_undone);
   removeUnfinished(path);
   StoreFile file;
   file.format = checkHeader(path);

@@ -8,7 +8,10 @@
 #include <cerrno>
 #include <filesystem>
 #include <random>
+#include <string_view>
 #include <system_error>
+
+#include "core/store/store_journal.h"
 
 namespace place_memory::core {
 namespace {
@@ -40,9 +43,17 @@ bool hasName(int file) {
   return fstat(file, &status) == 0 && status.st_nlink > 0;
 }
 
+// "" where it is no journal's name.
+std::string withoutJournal(const std::string& name) {
+  constexpr std::string_view kEnding = "-journal";
+  const bool is_journal = name.size() > kEnding.size() &&
+                          name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0;
+  return is_journal ? name.substr(0, name.size() - kEnding.size()) : "";
+}
+
 void removeWithJournal(const std::string& name) {
   std::error_code ignored;
-  fs::remove(name + "-journal", ignored);
+  fs::remove(journalOf(name), ignored);
   fs::remove(name, ignored);
 }
 
@@ -103,9 +114,16 @@ void removeUnfinished(const std::string& path) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(file.parent_path(), ignored)) {
     const std::string name = entry.path().filename().string();
-    const bool is_ours = name.compare(0, prefix.size(), prefix) == 0 &&
-                         name.find_first_not_of("0123456789-", prefix.size()) == std::string::npos;
-    if (is_ours && entry.is_regular_file(ignored)) removeIfLeft(entry.path());
+    const auto is_ours = [&](const std::string& candidate) {
+      return candidate.compare(0, prefix.size(), prefix) == 0 &&
+             candidate.find_first_not_of("0123456789-", prefix.size()) == std::string::npos;
+    };
+    if (is_ours(name) && entry.is_regular_file(ignored)) removeIfLeft(entry.path());
+    // The name of a journal that was gone may be there again after the power failed.
+    const std::string owner = withoutJournal(name);
+    if (is_ours(owner) && !fs::exists(file.parent_path() / owner, ignored)) {
+      fs::remove(entry.path(), ignored);
+    }
   }
 }
 

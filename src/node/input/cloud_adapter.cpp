@@ -5,7 +5,7 @@
 
 #include "node/base/ros_time.h"
 #include "node/input/echo_dialect.h"
-#include "support/text.h"
+#include "node/input/frame_name.h"
 
 namespace place_memory::node {
 namespace {
@@ -23,11 +23,11 @@ std::vector<AdaptedReading> CloudAdapter::adapt(const std_msgs::Header& header,
                                                 const CloudPoints& points) {
   AdaptedReading adapted;
   adapted.measurement.stamp = toNanoseconds(header.stamp);
-  adapted.measurement.frame = support::withoutLeadingSlashes(header.frame_id);
-  if (adapted.measurement.frame.empty()) adapted.measurement.frame = parameters_->base_frame;
   adapted.sensor_problem = points.problem;
+  adapted.measurement.frame = frameName(header.frame_id, adapted.sensor_problem);
+  if (adapted.measurement.frame.empty()) adapted.measurement.frame = parameters_->base_frame;
   const std::size_t mounts = parameters_->cloud.mounts.size();
-  if (points.problem.empty() && mounts > 0 && mounts != points.points.size()) {
+  if (adapted.sensor_problem.empty() && mounts > 0 && mounts != points.points.size()) {
     adapted.sensor_problem = "its cloud holds " + std::to_string(points.points.size()) +
                              " points, but cloud/mounts " + std::to_string(mounts) + " poses";
   }

@@ -5,8 +5,8 @@
 #include <exception>
 
 #include "node/base/ros_time.h"
+#include "node/input/frame_name.h"
 #include "node/input/sensor_placement.h"
-#include "support/text.h"
 
 namespace place_memory::node {
 namespace {
@@ -32,7 +32,8 @@ Vector rotated(const geometry_msgs::Quaternion& q, const Vector& v) {
 
 CheckedHeading HeadingAdapter::adapt(const sensor_msgs::Imu& message,
                                      const tf2::BufferCore& transforms) {
-  const std::string frame = support::withoutLeadingSlashes(message.header.frame_id);
+  std::string ignored;  // without a frame it lies as the base does
+  const std::string frame = frameName(message.header.frame_id, ignored);
   CheckedHeading heading =
       checkHeading(message, rotation(transforms, frame, parameters_->base_frame));
   if (parameters_->heading.reversed) heading.yaw = -heading.yaw;
@@ -49,7 +50,8 @@ CheckedHeading HeadingAdapter::adapt(const sensor_msgs::MagneticField& message,
   if (strength == 0.0) return noHeading("its magnetic field is 0");
   // Of length 1, so that whatever unit it has cannot overflow.
   Vector north{field.x / strength, field.y / strength, field.z / strength};
-  const std::string frame = support::withoutLeadingSlashes(message.header.frame_id);
+  std::string ignored;  // without a frame it lies as the base does
+  const std::string frame = frameName(message.header.frame_id, ignored);
   const auto turned = rotation(transforms, parameters_->base_frame, frame);
   if (turned) north = rotated(*turned, north);
   if (std::hypot(north.x, north.y) < kLeastLevel) {

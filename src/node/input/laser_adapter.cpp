@@ -7,8 +7,8 @@
 
 #include "node/base/ros_time.h"
 #include "node/input/echo_dialect.h"
+#include "node/input/frame_name.h"
 #include "node/input/range_check.h"
-#include "support/text.h"
 
 namespace place_memory::node {
 namespace {
@@ -53,10 +53,12 @@ std::vector<AdaptedReading> LaserAdapter::adapt(const sensor_msgs::LaserScan& sc
   AdaptedReading adapted;
   core::Measurement& measurement = adapted.measurement;
   measurement.stamp = toNanoseconds(scan.header.stamp);
-  measurement.frame = support::withoutLeadingSlashes(scan.header.frame_id);
+  measurement.frame = frameName(scan.header.frame_id, adapted.sensor_problem);
   measurement.sensor = registry_->idOf(topic_, measurement.frame);
-  adapted.sensor_problem = checkFan(scan);
-  if (measurement.frame.empty()) adapted.sensor_problem = "header.frame_id is empty";
+  if (adapted.sensor_problem.empty()) {
+    adapted.sensor_problem =
+        measurement.frame.empty() ? "header.frame_id is empty" : checkFan(scan);
+  }
   const std::size_t beams = scan.ranges.size();
   const std::size_t cones = std::min(static_cast<std::size_t>(parameters_->laser.cones), beams);
   if (adapted.sensor_problem.empty()) {

@@ -4,7 +4,7 @@
 #include <boost/algorithm/string/join.hpp>
 #include <sstream>
 
-#include "support/text.h"
+#include "node/input/frame_name.h"
 
 namespace place_memory::node {
 namespace {
@@ -155,8 +155,9 @@ void MessageIntake::takeOdometry(const std::string& topic, const nav_msgs::Odome
   transform.transform.translation.z = message.pose.pose.position.z;
   transform.transform.rotation = message.pose.pose.orientation;
   taken.transforms.push_back(transform);
-  const std::string odom = support::withoutLeadingSlashes(message.header.frame_id);
-  const std::string base = support::withoutLeadingSlashes(message.child_frame_id);
+  std::string ignored;
+  const std::string odom = frameName(message.header.frame_id, ignored);
+  const std::string base = frameName(message.child_frame_id, ignored);
   const bool is_other = (!odom.empty() && odom != parameters_.odom_frame) ||
                         (!base.empty() && base != parameters_.base_frame);
   if (!is_other) return;

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "node/base/ros_time.h"
+#include "node/input/frame_name.h"
 #include "node/input/range_check.h"
-#include "support/text.h"
 
 namespace place_memory::node {
 
@@ -12,14 +12,13 @@ AdaptedReading RangeAdapter::adapt(const sensor_msgs::Range& message) {
   AdaptedReading adapted;
   core::Measurement& measurement = adapted.measurement;
   measurement.stamp = toNanoseconds(message.header.stamp);
-  measurement.frame = support::withoutLeadingSlashes(message.header.frame_id);
+  measurement.frame = frameName(message.header.frame_id, adapted.sensor_problem);
   measurement.sensor = registry_->idOf(topic_, measurement.frame);
 
   const core::SonarSpec spec{message.field_of_view, message.min_range, message.max_range};
-  if (measurement.frame.empty()) {
-    adapted.sensor_problem = "header.frame_id is empty";
-  } else if (const auto problem = checkSpec(spec)) {
-    adapted.sensor_problem = *problem;
+  if (adapted.sensor_problem.empty()) {
+    adapted.sensor_problem =
+        measurement.frame.empty() ? "header.frame_id is empty" : checkSpec(spec).value_or("");
   }
   if (!adapted.sensor_problem.empty()) {
     adapted.reject = Reject::kBadSensor;

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "node/input/message_lengths.h"
+
 namespace place_memory::node {
 
 /// A message of whatever type its publisher has, not yet read: what to subscribe where a topic may
@@ -19,15 +21,12 @@ class RawMessage {
 
   const std::string& getDataType() const { return type_; }
 
-  /// Nothing where it is of another definition. Throws ros::serialization::StreamOverrunException
-  /// where it is cut short.
+  /// Nothing where it is of another definition. Throws what readContent() throws.
   template <class Content>
   boost::shared_ptr<Content> instantiate() const {
     if (md5sum_ != ros::message_traits::MD5Sum<Content>::value()) return nullptr;
     auto content = boost::make_shared<Content>();
-    std::vector<std::uint8_t> bytes = bytes_;  // a stream wants them writable
-    ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-    ros::serialization::deserialize(stream, *content);
+    readContent(bytes_, *content);
     return content;
   }
 

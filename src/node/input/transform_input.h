@@ -13,6 +13,7 @@
 
 #include "core/sensing/recent_count.h"
 #include "node/base/guarded_queue.h"
+#include "node/input/raw_message.h"
 
 namespace place_memory::node {
 
@@ -37,7 +38,9 @@ class TransformInput {
   std::string takeProblem();
 
  private:
+  void take(const RawMessage& message, bool is_static);
   void add(const tf2_msgs::TFMessage& message, bool is_static);
+  void leaveOut(const std::string& problem);
 
   tf2::BufferCore& buffer_;
 

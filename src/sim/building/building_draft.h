@@ -31,7 +31,7 @@ Style randomStyle(Rng& rng);
 /// free.
 class BuildingDraft {
  public:
-  BuildingDraft(Style style, Rng& rng) : style_(style), rng_(rng) {}
+  BuildingDraft(const Style& style, Rng& rng) : style_(style), rng_(rng) {}
 
   void addRoom(const Rect& rect, RoomUse use);
 

@@ -16,8 +16,8 @@ SharedWall sharedWall(const Rect& a, const Rect& b) {
   const double x1 = std::min(a.x1, b.x1);
   const double y0 = std::max(a.y0, b.y0);
   const double y1 = std::min(a.y1, b.y1);
-  const bool upright = std::fabs(x0 - x1) < kSameLine && y1 > y0;
-  const bool level = std::fabs(y0 - y1) < kSameLine && x1 > x0;
+  const bool upright = y1 > y0 && std::fabs(x0 - x1) < kSameLine;
+  const bool level = x1 > x0 && std::fabs(y0 - y1) < kSameLine;
   if (upright) return {{x0, y0}, {x0, y1}};
   if (level) return {{x0, y0}, {x1, y0}};
   return {{x0, y0}, {x0, y0}};

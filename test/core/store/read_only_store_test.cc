@@ -1,45 +1,17 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <optional>
 #include <string>
 
 #include "core/store/full_disk.h"
+#include "core/store/read_only.h"
 #include "core/store/store_fixture.h"
 
 namespace place_memory::core {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// While it lives files are reached as by a user who owns none of them; root may write everything.
-class AsNobody {
- public:
-  AsNobody() { EXPECT_EQ(seteuid(65534), 0); }
-  ~AsNobody() { EXPECT_EQ(seteuid(0), 0); }
-};
-
-/// While it lives the file, and where it lies, may be read and not written.
-class ReadOnly {
- public:
-  explicit ReadOnly(const fs::path& file) : file_(file) {
-    fs::permissions(file_, fs::perms(0444));
-    fs::permissions(file_.parent_path(), fs::perms(0555));
-    if (geteuid() == 0) nobody_.emplace();
-  }
-  ~ReadOnly() {
-    nobody_.reset();
-    fs::permissions(file_.parent_path(), fs::perms(0777));
-    fs::permissions(file_, fs::perms(0666));
-  }
-  ReadOnly(const ReadOnly&) = delete;
-  ReadOnly& operator=(const ReadOnly&) = delete;
-
- private:
-  const fs::path file_;
-  std::optional<AsNobody> nobody_;
-};
 
 void expectThreePlaces(const PlaceStore& store) {
   const PlaceMap map = store.map();

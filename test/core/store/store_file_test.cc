@@ -148,12 +148,14 @@ TEST_F(PlaceStoreTest, FollowsALinkToItsFile) {
 
 TEST_F(PlaceStoreTest, ClearsAwayWhatAKilledCreationLeft) {
   const std::string left = path_ + ".new-123-456";
-  for (const std::string& name : {left, left + "-journal"}) writeFile(name, "half");
+  const std::string alone = path_ + ".new-7-8-journal";
+  for (const std::string& name : {left, left + "-journal", alone}) writeFile(name, "half");
   const std::string other = path_ + ".new-years-party";
   writeFile(other, "of somebody");
   fill();
   EXPECT_FALSE(fs::exists(left));
   EXPECT_FALSE(fs::exists(left + "-journal"));
+  EXPECT_FALSE(fs::exists(alone));
   EXPECT_TRUE(fs::exists(other));
 }
 

@@ -1,16 +1,12 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "core/store/full_disk.h"
 #include "core/store/old_store_fixture.h"
+#include "core/store/unfinished_change.h"
 
 namespace place_memory::core {
 namespace {
@@ -55,23 +51,7 @@ class StoreMigrationTest : public PlaceStoreTest, public testing::WithParamInter
     return PlaceStore(path_, kDefaultCellSize, opening);
   }
 
-  // Leaves what power leaves that fails while `sql` changes the store: some pages are written, and
-  // the journal by which they are put back.
-  void cutOff(const std::string& sql) const {
-    const pid_t child = fork();
-    if (child == 0) {
-      sqlite3* database = nullptr;
-      sqlite3_open(path_.c_str(), &database);
-      sqlite3_exec(database, "PRAGMA cache_size = 1; PRAGMA cache_spill = 1; BEGIN IMMEDIATE",
-                   nullptr, nullptr, nullptr);
-      sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr);
-      sqlite3_db_cacheflush(database);
-      _exit(0);
-    }
-    int status = 0;
-    waitpid(child, &status, 0);
-    ASSERT_GT(fs::file_size(path_ + "-journal"), 512U);
-  }
+  void cutOff(const std::string& sql) const { leaveUnfinished(path_, sql); }
 
   std::string said_;
 };
@@ -135,32 +115,6 @@ TEST_P(StoreMigrationTest, IsReadFromAFullDiskAndMigratedLater) {
   store.reset();
   EXPECT_EQ(open().map().find(1)->label, "z");
   EXPECT_EQ(readFile(keptName()), before);
-}
-
-TEST_P(StoreMigrationTest, CutOffAnywhereItLeavesTheOldStoreOrTheNewOne) {
-  using Clock = std::chrono::steady_clock;
-  makeOldStore(path_, GetParam());
-  const Clock::time_point begin = Clock::now();
-  open();
-  const Clock::duration whole = Clock::now() - begin;
-  constexpr int kKills = 16;
-  for (int i = 0; i < kKills; ++i) {
-    for (const auto& entry : fs::directory_iterator(folder_.path())) fs::remove(entry.path());
-    makeOldStore(path_, GetParam());
-    const pid_t child = fork();
-    if (child == 0) {
-      open();
-      _exit(0);
-    }
-    std::this_thread::sleep_for(whole * i / kKills);
-    kill(child, SIGKILL);
-    int status = 0;
-    waitpid(child, &status, 0);
-    expectOldPlaces(open());
-    for (const auto& entry : fs::directory_iterator(folder_.path())) {
-      EXPECT_EQ(entry.path().string().find(".new-"), std::string::npos) << entry.path();
-    }
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, StoreMigrationTest, testing::Values(1, 2));

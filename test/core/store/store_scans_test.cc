@@ -7,61 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/store/packed_bytes.h"
-#include "core/store/row_checksum.h"
-#include "core/store/sqlite.h"
+#include "core/store/format3_store.h"
+#include "core/store/scans_fixture.h"
 #include "core/store/store_fixture.h"
-#include "core/store/store_head.h"
 
 namespace place_memory::core {
 namespace {
-
-std::shared_ptr<const std::vector<SonarReading>> makeReadings(double range) {
-  SonarReading echo;
-  echo.sensor_pose = {0.25, -0.125, 1.5};
-  echo.spec = {0.5, 0.25, 4.0};
-  echo.range = range;
-  SonarReading none = echo;
-  none.range = std::numeric_limits<double>::infinity();
-  return std::make_shared<const std::vector<SonarReading>>(std::vector<SonarReading>{echo, none});
-}
-
-ScanNode makeNode(int number, PlaceId place) {
-  ScanNode node;
-  node.stamp = std::chrono::nanoseconds(1000 + number);
-  node.odom_from_base = {0.5 * number, 1.0, -0.25};
-  node.first_way = number - 1.5;
-  node.last_way = number + 1.5;
-  node.session = 1;
-  node.pose = {number + 0.125, -2.0, 0.5};
-  if (number > 0) node.before = static_cast<NodeIndex>(number - 1);
-  node.motion = {0.5, 0.0, 0.0625};
-  node.motion_way = 0.5;
-  node.motion_turn = 6.5;
-  if (number != 1) node.compass = 0.75;
-  node.place = place;
-  if (number != 3) node.readings = makeReadings(1.0 + 0.5 * number);
-  return node;
-}
-
-// Four scans, of which the first is place 1.
-KeptMap makeScans() {
-  KeptMap map;
-  for (int number = 0; number < 4; ++number) {
-    map.nodes.push_back(makeNode(number, number == 0 ? 1 : kNoPlace));
-  }
-  for (const NodeIndex node : {NodeIndex{2}, NodeIndex{3}}) {
-    Tie tie;
-    tie.place = 0;
-    tie.node = node;
-    tie.relative = {1.0, 0.5, -0.125};
-    tie.information << 400.0, 1.0, 2.0, 1.0, 300.0, 3.0, 2.0, 3.0, 900.0;
-    tie.closure = static_cast<int>(node);
-    map.ties.push_back(tie);
-  }
-  map.errors = {0.03, -0.02};
-  return map;
-}
 
 void expectSame(const ScanNode& one, const ScanNode& other) {
   EXPECT_EQ(one.stamp, other.stamp);
@@ -94,34 +45,7 @@ class StoreScansTest : public PlaceStoreTest {
     store.commit(change, scans);
   }
 
-  // As the version wrote it that knew format 3.
-  void makeFormat3() const {
-    SqliteDatabase database(path_, false);
-    const StoreHead head = *readHead(database);
-    BytePacker totals;
-    for (std::size_t i = 0; i < kStoreTablesOfFormat3; ++i) {
-      const TableTotal& total = head.totals.of(static_cast<StoreTable>(i));
-      totals.add(total.rows).add(total.sum);
-    }
-    const std::uint64_t checksum = RowChecksum()
-                                       .add(std::int64_t{1})
-                                       .add(head.identity.data(), head.identity.size())
-                                       .add(head.cell_size)
-                                       .add(head.next_place)
-                                       .add(head.next_session)
-                                       .add(head.version)
-                                       .add(std::int64_t{head.stamp.count()})
-                                       .add(totals.bytes().data(), totals.bytes().size())
-                                       .value();
-    database.execute(
-        "DROP TABLE tie; DROP TABLE wheels; DROP TABLE node;"
-        "CREATE TABLE node(id INTEGER PRIMARY KEY, session INTEGER, x REAL, y REAL, yaw REAL, "
-        "stamp_ns INTEGER, readings BLOB, checksum INTEGER); PRAGMA user_version = 3");
-    SqliteStatement(database, "UPDATE store SET totals = ?, checksum = ?")
-        .bind(totals.bytes().data(), totals.bytes().size())
-        .bind(static_cast<std::int64_t>(checksum))
-        .run();
-  }
+  void makeFormat3() const { core::makeFormat3(path_); }
 };
 
 TEST_F(StoreScansTest, KeepsScansTiesAndErrorsOfTheWheels) {

@@ -164,6 +164,15 @@ TEST_F(CloudAdapterTest, ALayoutThatCannotBeIsNamed) {
   expectProblem(adapter().adapt(cloud), "big-endian");
 }
 
+TEST_F(CloudAdapterTest, RefusesAFrameThatIsNoName) {
+  sensor_msgs::PointCloud cloud = cloudOf({{1.0, 0.0}});
+  cloud.header.frame_id = std::string(1000000, 'x');
+  const AdaptedReading reading = adapter().adapt(cloud).front();
+  EXPECT_EQ(reading.reject, Reject::kBadSensor);
+  EXPECT_NE(reading.sensor_problem.find("1000000 bytes"), std::string::npos);
+  EXPECT_LT(reading.measurement.frame.size(), 100U);
+}
+
 TEST_F(CloudAdapterTest, NeedsAStamp) {
   sensor_msgs::PointCloud cloud = cloudOf({{1.0, 0.0}});
   cloud.header.stamp = ros::Time();

@@ -105,6 +105,8 @@ TEST_F(LaserAdapterTest, AFanThatCannotBeIsNamed) {
   scan = scanOf(100, 1.0F);
   scan.header.frame_id = "";
   expect(scan, "frame_id");
+  scan.header.frame_id = "la\nser";
+  expect(scan, "control characters");
 }
 
 TEST_F(LaserAdapterTest, OneBeamIsAScanToo) {

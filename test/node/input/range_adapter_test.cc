@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <ostream>
+#include <string>
 
 namespace place_memory::node {
 namespace {
@@ -120,7 +121,7 @@ TEST(RangeAdapter, NeedsAStamp) {
 }
 
 struct BadLimits {
-  const char* frame;
+  std::string frame;
   float fov;
   float min;
   float max;
@@ -145,6 +146,8 @@ TEST_P(BadSensor, IsRejectedWithASentence) {
 INSTANTIATE_TEST_SUITE_P(
     RangeAdapter, BadSensor,
     testing::Values(BadLimits{"", 0.4F, 0.1F, 4.0F, "frame_id is empty"},
+                    BadLimits{"a\nb", 0.4F, 0.1F, 4.0F, "control characters"},
+                    BadLimits{std::string(257, 'a'), 0.4F, 0.1F, 4.0F, "257 bytes"},
                     BadLimits{"s", 0.0F, 0.1F, 4.0F, "field_of_view"},
                     BadLimits{"s", -0.4F, 0.1F, 4.0F, "field_of_view"},
                     BadLimits{"s", 3.15F, 0.1F, 4.0F, "field_of_view"},

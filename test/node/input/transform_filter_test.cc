@@ -58,6 +58,31 @@ TEST(CheckTransform, TheStampOfAStaticTransformMeansNothing) {
   EXPECT_FALSE(checkTransform(odometry(ros::Time(4294967295U, 0)), true, kNow));
 }
 
+TEST(CheckTransform, LeavesOutNamesThatNobodyGives) {
+  geometry_msgs::TransformStamped t = odometry(ros::Time(1000.0));
+  t.child_frame_id = "base\nlink";
+  expectProblem(t, "control characters");
+  t.child_frame_id = std::string("base\0link", 9);
+  expectProblem(t, "control characters");
+  t.child_frame_id = std::string(300, 'b');
+  expectProblem(t, "300 bytes");
+}
+
+TEST(AddTransform, EverNewFramesTakeNoMemory) {
+  tf2::BufferCore buffer;
+  geometry_msgs::TransformStamped t = odometry(ros::Time(1000.0));
+  EXPECT_FALSE(addTransform(t, false, kNow, buffer));
+  int refused = 0;
+  for (int i = 0; i < 5000; ++i) {
+    t.child_frame_id = "frame_" + std::to_string(i);
+    if (addTransform(t, false, kNow, buffer)) ++refused;
+  }
+  EXPECT_GT(refused, 800);
+  EXPECT_LT(refused, 1000);
+  // Those that are known go on.
+  EXPECT_FALSE(addTransform(odometry(ros::Time(1000.1)), false, kNow, buffer));
+}
+
 TEST(AddTransform, OneFarAheadDoesNotHideThoseThatFollow) {
   tf2::BufferCore buffer;
   EXPECT_FALSE(addTransform(odometry(ros::Time(1000.0), 1.0), false, kNow, buffer));

@@ -1,0 +1,111 @@
+"""What is measured during the run, and what must not be."""
+
+import collections
+import math
+import threading
+import time
+
+import rospy
+from geometry_msgs.msg import PoseWithCovarianceStamped
+from tf2_msgs.msg import TFMessage
+
+from soak_tools import robot
+from soak_tools.node import NAME
+
+LONGEST_PAUSE = 1.0  # of tf map -> odom, which comes ten times a second [s]
+WARM_UP = 30.0  # after each start, before memory is compared [s]
+BYTES_FOR_A_PLACE = 64 << 10
+BYTES_FOR_NOTHING = 6 << 20  # that the heap may grow for whatever reason
+
+
+def quantile(values, share):
+    values = sorted(values)
+    return values[min(len(values) - 1, int(share * len(values)))] if values else math.nan
+
+
+class Watch:
+    """Thread-safe."""
+
+    def __init__(self, node, start):
+        self.begin = time.monotonic()
+        self.latencies = collections.defaultdict(list)  # by call: (when [s], how long [s])
+        self.counts = collections.Counter()
+        self.problems = []
+        self.memory = []  # (when [s], start of the node, bytes, places)
+        self.errors = []  # of ~pose (when [s], metres)
+        self.pauses = []  # of tf [s]
+        self._newest_places = 0
+        self._node = node
+        self._robot_start = start
+        self._lock = threading.Lock()
+        self._last_transform = None
+        rospy.Subscriber("/tf", TFMessage, self._on_tf, queue_size=1000)
+        rospy.Subscriber(NAME + "/pose", PoseWithCovarianceStamped, self._on_pose, queue_size=100)
+
+    def now(self):
+        return time.monotonic() - self.begin
+
+    def fail(self, sentence):
+        with self._lock:
+            self.problems.append("%.1f s: %s" % (self.now(), sentence))
+
+    def took(self, name, seconds):
+        with self._lock:
+            self.latencies[name].append((self.now(), seconds))
+
+    def count(self, what):
+        with self._lock:
+            self.counts[what] += 1
+
+    def places(self, number):
+        self._newest_places = number
+
+    def sample_memory(self):
+        try:
+            size = self._node.memory()
+        except OSError:  # between two lives
+            return
+        self.memory.append((self.now(), len(self._node.starts), size, self._newest_places))
+
+    def _on_tf(self, message):
+        if not any(transform.header.frame_id == "map" for transform in message.transforms):
+            return
+        now = time.monotonic()
+        last, self._last_transform = self._last_transform, now
+        if last is None or self._node.is_disturbed(last):
+            return
+        self.pauses.append(now - last)
+
+    def _on_pose(self, message):
+        pose = message.pose.pose.position
+        x, y, _ = robot.pose_at(message.header.stamp.to_sec() - self._robot_start)
+        self.errors.append((self.now(), math.hypot(pose.x - x, pose.y - y)))
+
+    def growths(self):
+        """Of each life of the node: (seconds, bytes beyond what its new places take)."""
+        lives = collections.defaultdict(list)
+        for when, life, size, places in self.memory:
+            lives[life].append((when, size, places))
+        found = []
+        for samples in lives.values():
+            warm = [sample for sample in samples if sample[0] > samples[0][0] + WARM_UP]
+            if len(warm) < 2:
+                continue
+            most_places = max(sample[2] for sample in warm)
+            grown = warm[-1][1] - warm[0][1] - BYTES_FOR_A_PLACE * (most_places - warm[0][2])
+            found.append((warm[-1][0] - warm[0][0], grown))
+        return found
+
+    def judge(self):
+        """Adds to the problems what shows in the whole run alone."""
+        for seconds, grown in self.growths():
+            if grown > BYTES_FOR_NOTHING:
+                self.fail("in %.0f s memory grew by %.1f MB beyond its places" %
+                          (seconds, grown / 1e6))
+        late = quantile(self.pauses, 0.99)
+        if not self.pauses:
+            self.fail("map -> odom was never on tf")
+        elif late > LONGEST_PAUSE:
+            self.fail("map -> odom paused for %.2f s" % late)
+        if not self.errors:
+            self.fail("the robot was never recognized")

@@ -1,0 +1,240 @@
+#include "endurance/busy_memory.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "core/random_room.h"
+#include "endurance/change_log.h"
+#include "place_memory/core/place_memory.h"
+
+namespace place_memory {
+namespace {
+
+using core::PlaceMemory;
+using core::PlaceMemoryError;
+using What = Said::What;
+
+// So that every change can be said with the whole map.
+constexpr std::size_t kMostPlaces = 24;
+constexpr double kHeadingWindow = 0.3;
+constexpr unsigned kDeedsBetweenClears = 50;
+
+core::PlaceMemoryOptions optionsFor(const std::string& store) {
+  core::PlaceMemoryOptions options;
+  options.store_path = store;
+  // Whatever fits best is recognized: the map is to change.
+  options.recognizer.calibration.right = {20.0};
+  options.recognizer.threads = 1;
+  options.adaptation.enabled = true;
+  return options;
+}
+
+MapRecord recordOf(const PlaceMemory& memory) {
+  const core::MapSnapshot map = memory.map();
+  MapRecord record;
+  record.version = map.version;
+  record.places = map.places;
+  record.links = map.links;
+  return record;
+}
+
+/// Says every change of the map.
+class Teller {
+ public:
+  Teller(PlaceMemory& memory, ChangeLog& log) : memory_(memory), log_(log) {
+    Said opened;
+    opened.what = What::kOpened;
+    opened.map = recordOf(memory);
+    for (const core::Place& place : opened.map.places) {
+      grids_[place.id] = hashOf(memory.grid(place.id));
+    }
+    opened.map.grids = grids_;
+    log.say(opened);
+    memory.listen([this](const core::MapChange& change) { tell(change); });
+  }
+
+ private:
+  void tell(const core::MapChange& change) {
+    for (const core::MapEdit& edit : change.edits) {
+      if (const auto* added = std::get_if<core::PlaceAdded>(&edit)) {
+        grids_[added->place.id] = hashOf(*added->grid);
+      } else if (const auto* adapted = std::get_if<core::GridAdapted>(&edit)) {
+        grids_[adapted->id] = hashOf(*adapted->grid);
+      } else if (const auto* removed = std::get_if<core::PlaceRemoved>(&edit)) {
+        grids_.erase(removed->id);
+      } else if (std::holds_alternative<core::MapCleared>(edit)) {
+        grids_.clear();
+      }
+    }
+    Said changed;
+    changed.what = What::kChanged;
+    changed.map = recordOf(memory_);
+    changed.map.grids = grids_;
+    log_.say(changed);
+  }
+
+  PlaceMemory& memory_;
+  ChangeLog& log_;
+  std::map<core::PlaceId, std::uint64_t> grids_;
+};
+
+/// Does one deed after the other to places that no other client touches, but for clear().
+class Client {
+ public:
+  Client(PlaceMemory& memory, ChangeLog& log, unsigned number, unsigned seed)
+      : memory_(memory), log_(log), number_(number), random_(seed * 64 + number) {}
+
+  void work() {
+    for (;;) {
+      const std::vector<std::string> own = ownLabels();
+      switch (random_() % 8) {
+        case 0:
+        case 1:
+        case 2:
+          if (memory_.size() < kMostPlaces) {
+            learn();
+          } else {
+            remove(own);
+          }
+          break;
+        case 3:
+        case 4:
+          recognize(own);
+          break;
+        case 5:
+          rename(own);
+          break;
+        default:
+          if (random_() % kDeedsBetweenClears == 0) {
+            clear();
+          } else {
+            remove(own);
+          }
+      }
+    }
+  }
+
+ private:
+  // "1 77": of client 1, and of the room with seed 77; a third word tells renamed ones apart.
+  std::string prefix() const { return std::to_string(number_) + " "; }
+
+  std::vector<std::string> ownLabels() const {
+    std::vector<std::string> own;
+    for (const core::Place& place : memory_.map().places) {
+      if (place.label.rfind(prefix(), 0) == 0) own.push_back(place.label);
+    }
+    return own;
+  }
+
+  core::Scan scanOf(unsigned room, const core::Pose2d& from) {
+    core::Scan scan = core::RandomRoom(room).scanFrom(from);
+    const auto place = [this] { return 0.1 * static_cast<double>(random_() % 100); };
+    scan.odom_from_scan = {place(), place(), 0.0};
+    scan.end = std::chrono::nanoseconds(random_());
+    return scan;
+  }
+
+  void learn() {
+    const unsigned room = static_cast<unsigned>(random_() % 1000000);
+    const std::string label = prefix() + std::to_string(room);
+    const core::Scan scan = scanOf(room, {});
+    attempt(Deed::kLearn, label, "", [&] { memory_.learn(scan, label, true); });
+  }
+
+  void recognize(const std::vector<std::string>& own) {
+    if (own.empty()) return learn();
+    const std::string label = anyOf(own);
+    const auto room = static_cast<unsigned>(std::stoul(label.substr(prefix().size())));
+    const core::Scan scan = scanOf(room, {0.05, -0.05, 0.02});
+    attempt(Deed::kRecognize, label, "", [&] { memory_.recognize(scan, kHeadingWindow); });
+  }
+
+  void rename(const std::vector<std::string>& own) {
+    if (own.empty()) return learn();
+    const std::string label = anyOf(own);
+    const std::string room = label.substr(0, label.find(' ', prefix().size()));
+    const std::string renamed = room + " " + std::to_string(random_() % 1000000);
+    attempt(Deed::kRename, label, renamed, [&] { memory_.rename(label, renamed); });
+  }
+
+  void remove(const std::vector<std::string>& own) {
+    if (own.empty()) return learn();
+    const std::string label = anyOf(own);
+    attempt(Deed::kRemove, label, "", [&] { memory_.remove(label); });
+  }
+
+  void clear() {
+    attempt(Deed::kClear, "", "", [&] { memory_.clear(); });
+  }
+
+  template <class Call>
+  void attempt(Deed deed, const std::string& label, const std::string& new_label,
+               const Call& call) {
+    Said said;
+    said.what = What::kAsked;
+    said.client = number_;
+    said.deed = deed;
+    said.text = label;
+    said.new_text = new_label;
+    log_.say(said);
+    try {
+      call();
+      said.what = What::kAnswered;
+    } catch (const PlaceMemoryError& error) {
+      const bool was_cleared = error.reason() == PlaceMemoryError::Reason::kUnknownPlace ||
+                               error.reason() == PlaceMemoryError::Reason::kLabelTaken;
+      said.what = was_cleared ? What::kDeclined : What::kFailed;
+      said.text = error.what();
+    }
+    log_.say(said);
+    if (said.what == What::kFailed) _exit(1);
+  }
+
+  const std::string& anyOf(const std::vector<std::string>& labels) {
+    return labels[random_() % labels.size()];
+  }
+
+  PlaceMemory& memory_;
+  ChangeLog& log_;
+  const unsigned number_;
+  std::mt19937 random_;
+};
+
+[[noreturn]] void failWith(ChangeLog& log, const std::string& reason) {
+  Said failed;
+  failed.what = What::kFailed;
+  failed.text = reason;
+  log.say(failed);
+  _exit(1);
+}
+
+}  // namespace
+
+void keepBusy(const BusyMemory& busy) {
+  ChangeLog log(busy.log);
+  try {
+    PlaceMemory memory(optionsFor(busy.store));
+    const core::StoreHealth health = memory.storeHealth();
+    if (!health.ok) failWith(log, health.problem);
+    if (!health.set_aside.empty()) failWith(log, health.set_aside.front());
+    const Teller teller(memory, log);
+    std::vector<std::thread> threads;
+    for (unsigned client = 0; client < busy.clients; ++client) {
+      threads.emplace_back([&, client] { Client(memory, log, client, busy.seed).work(); });
+    }
+    for (std::thread& thread : threads) thread.join();
+  } catch (const std::exception& error) {
+    failWith(log, error.what());
+  }
+  failWith(log, "the clients have come to an end");
+}
+
+}  // namespace place_memory
