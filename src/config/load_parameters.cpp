@@ -1,5 +1,6 @@
 #include "config/load_parameters.h"
 
+#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -121,6 +122,11 @@ Parameters readAll(ParameterReader& reader) {
   reader.text("odom_topic", checkOptionalTopic, parameters.odom_topic);
   reader.text("store", checkStorePath, parameters.store);
   parameters.store = absoluteStorePath(parameters.store);
+  reader.text("store_directory", checkStorePath, parameters.store_directory);
+  parameters.store_directory = absoluteStorePath(parameters.store_directory);
+  if (parameters.store_directory.empty() && !parameters.store.empty()) {
+    parameters.store_directory = std::filesystem::path(parameters.store).parent_path().string();
+  }
   reader.number("time_jump_tolerance", closed(0.0, 60.0), parameters.time_jump_tolerance);
   reader.number("grid/cell_size", closed(0.001, 100.0), parameters.grid.cell_size);
   readSonar(reader, parameters.sonar);

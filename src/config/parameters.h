@@ -82,6 +82,8 @@ struct Parameters {
   std::string heading_topic = "heading";  ///< empty: no compass, odometry's yaw is used
   std::string odom_topic;  ///< of nav_msgs/Odometry where nothing broadcasts tf; empty: none
   std::string store;       ///< path; empty: in memory only
+  /// Below it lie the files that services write and read; empty: there are none.
+  std::string store_directory;
   double time_jump_tolerance = 1.0;  ///< [s]
 
   core::GridGeometry grid;

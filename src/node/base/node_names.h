@@ -27,6 +27,11 @@ constexpr char kRenamePlaceService[] = "rename_place";
 constexpr char kRemovePlaceService[] = "remove_place";
 constexpr char kClearService[] = "clear";
 constexpr char kGetGraphService[] = "get_graph";
+constexpr char kSaveService[] = "save";
+constexpr char kLoadService[] = "load";
+constexpr char kMergeService[] = "merge";
+constexpr char kExportService[] = "export";
+constexpr char kUndoService[] = "undo";
 
 }  // namespace place_memory::node
 
