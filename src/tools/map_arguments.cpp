@@ -21,7 +21,8 @@ struct Command {
 
 constexpr std::array<Command, 13> kCommands{{
     {"list", 0, 0, "list                  every place"},
-    {"show", 1, 1, "show PLACE            one place, its links and its grid; --png FILE: as picture"},
+    {"show", 1, 1,
+     "show PLACE            one place, its links and its grid; --png FILE: as picture"},
     {"learn", 0, 1,
      "learn [PLACE]         node: its newest scan, or --scan, as PLACE; store: the scan of PLACE "
      "of --from FILE"},
@@ -67,9 +68,9 @@ void writeHelp(const po::options_description& options, std::ostream& help) {
 }
 
 void check(const MapArguments& arguments) {
-  const auto command =
-      std::find_if(kCommands.begin(), kCommands.end(),
-                   [&](const Command& known) { return arguments.command == known.name; });
+  const auto command = std::find_if(kCommands.begin(), kCommands.end(), [&](const Command& known) {
+    return arguments.command == known.name;
+  });
   if (command == kCommands.end()) {
     throw std::runtime_error(arguments.command.empty()
                                  ? "which command? --help lists them"

@@ -26,8 +26,7 @@ struct MapArguments {
 
 /// Nothing where help was asked for, which is then written to `help`. Throws std::exception that
 /// says what is wrong with the arguments.
-std::optional<MapArguments> readMapArguments(int argc, const char* const* argv,
-                                             std::ostream& help);
+std::optional<MapArguments> readMapArguments(int argc, const char* const* argv, std::ostream& help);
 
 }  // namespace place_memory::tools
 

@@ -25,8 +25,10 @@ constexpr std::size_t kMatchesShown = 10;
 constexpr std::uint32_t kPixelsPerCell = 8;
 
 constexpr char kWhyNoCp[] =
-    "A store that a node has open is not copied soundly by cp: SQLite writes a change page by page, "
-    "and\nuntil it is whole the way back lies in the file's -journal, so that cp gets some of both. "
+    "A store that a node has open is not copied soundly by cp: SQLite writes a change page by "
+    "page, "
+    "and\nuntil it is whole the way back lies in the file's -journal, so that cp gets some of "
+    "both. "
     "Ask the node for\na copy by its service ~save, or stop it first.";
 
 std::int64_t integer(std::size_t number) { return static_cast<std::int64_t>(number); }
@@ -53,8 +55,8 @@ const core::Place& placeOf(const core::MapSnapshot& map, const std::string& labe
 /// Does the commands, one each.
 class Commands {
  public:
-  Commands(const MapArguments& arguments, const config::Parameters& parameters,
-           std::ostream& out, std::ostream& notes)
+  Commands(const MapArguments& arguments, const config::Parameters& parameters, std::ostream& out,
+           std::ostream& notes)
       : arguments_(arguments), parameters_(parameters), out_(out), notes_(notes) {}
 
   ExitStatus run() {
@@ -166,8 +168,8 @@ class Commands {
     for (std::size_t i = 0; i < std::min(kMatchesShown, found.matches.size()); ++i) {
       const Recognized::Match& match = found.matches[i];
       const core::Pose2d& pose = match.place_from_scan;
-      table.add({match.label, Decimal{match.probability}, Decimal{match.score},
-                 Decimal{pose.x}, Decimal{pose.y}, Decimal{pose.yaw}});
+      table.add({match.label, Decimal{match.probability}, Decimal{match.score}, Decimal{pose.x},
+                 Decimal{pose.y}, Decimal{pose.yaw}});
     }
     if (arguments_.json) {
       const core::Pose2d& robot = found.map_from_robot;
@@ -205,8 +207,7 @@ class Commands {
   }
 
   ExitStatus history() {
-    const auto changes =
-        source_->history(arguments_.count == 0 ? kChangesShown : arguments_.count);
+    const auto changes = source_->history(arguments_.count == 0 ? kChangesShown : arguments_.count);
     print(changes);
     return kDone;
   }
@@ -236,7 +237,8 @@ class Commands {
     RecordTable table({"places", "links", "sessions", "metres of links", "arrived", "gave up",
                        "version", "changed", "bytes"});
     std::error_code error;
-    const auto bytes = arguments_.store.empty() ? 0 : std::filesystem::file_size(arguments_.store, error);
+    const auto bytes =
+        arguments_.store.empty() ? 0 : std::filesystem::file_size(arguments_.store, error);
     table.add({integer(map.places.size()), integer(map.links.size()), integer(sessions.size()),
                Decimal{way, 1}, arrived, gave_up, static_cast<std::int64_t>(map.version),
                timeInWords(map.stamp), static_cast<std::int64_t>(bytes)});
@@ -246,8 +248,9 @@ class Commands {
 
   ExitStatus check() {
     if (arguments_.store.empty()) {
-      throw CommandError("a file is checked: name it by --store. Of a node check the copy that its "
-                         "service ~save writes");
+      throw CommandError(
+          "a file is checked: name it by --store. Of a node check the copy that its "
+          "service ~save writes");
     }
     std::vector<std::string> damages;
     try {

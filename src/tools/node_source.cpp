@@ -20,8 +20,9 @@
 namespace place_memory::tools {
 namespace {
 
-const ros::Duration kPatience(5.0);        // until a service or the action is there
-const ros::Duration kScanPatience(600.0);  // until a scan has ended, by its own time-out at the latest
+const ros::Duration kPatience(5.0);  // until a service or the action is there
+const ros::Duration kScanPatience(
+    600.0);  // until a scan has ended, by its own time-out at the latest
 
 std::chrono::nanoseconds toCore(const ros::Time& time) {
   return std::chrono::nanoseconds(static_cast<std::int64_t>(time.toNSec()));
@@ -83,9 +84,9 @@ typename Service::Response NodeSource::call(const char* service,
                                             const typename Service::Request& request) {
   const std::string name = name_ + "/" + service;
   if (!ros::service::waitForService(name, kPatience)) {
-    throw CommandError("there is no service " + name + ": is the node running, and called " +
-                           name_ + "?",
-                       kNoAnswer);
+    throw CommandError(
+        "there is no service " + name + ": is the node running, and called " + name_ + "?",
+        kNoAnswer);
   }
   typename Service::Response response;
   typename Service::Request asked = request;
@@ -107,8 +108,9 @@ core::MapSnapshot NodeSource::map() {
 }
 
 core::EvidenceGrid NodeSource::grid(core::PlaceId /*id*/) {
-  throw CommandError("grids are read from a store: ask the node for a copy by its service save, and "
-                     "name that by --store");
+  throw CommandError(
+      "grids are read from a store: ask the node for a copy by its service save, and "
+      "name that by --store");
 }
 
 void NodeSource::scan() {

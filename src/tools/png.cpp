@@ -86,8 +86,7 @@ GreyPicture pictureOf(const core::EvidenceGrid& grid, std::uint32_t scale) {
     for (std::uint32_t x = 0; x < picture.width; ++x) {
       const double occupied =
           core::EvidenceGrid::probability(grid.at(row, static_cast<int>(x / scale)), kPrior);
-      picture.pixels.push_back(
-          static_cast<std::uint8_t>(std::lround(kWhite * (1.0 - occupied))));
+      picture.pixels.push_back(static_cast<std::uint8_t>(std::lround(kWhite * (1.0 - occupied))));
     }
   }
   return picture;

@@ -39,8 +39,9 @@ StoreSource::StoreSource(const std::string& path, const config::Parameters& para
 
 core::Scan StoreSource::scanOf(const ScanChoice& choice) {
   if (choice.place.empty()) {
-    throw CommandError("name the place whose scan it is, with --from FILE where it is in another "
-                       "store");
+    throw CommandError(
+        "name the place whose scan it is, with --from FILE where it is in another "
+        "store");
   }
   if (!choice.other_store.empty()) {
     return scanIn(choice.place,
@@ -63,8 +64,9 @@ core::Scan StoreSource::scanOf(const ScanChoice& choice) {
 
 std::string StoreSource::learn(const std::string& label, const ScanChoice& choice) {
   if (choice.other_store.empty()) {
-    throw CommandError("a store learns from another one: name it by --from FILE, or a node by "
-                       "--node NAME");
+    throw CommandError(
+        "a store learns from another one: name it by --from FILE, or a node by "
+        "--node NAME");
   }
   const core::PlaceMemory::Learned learned =
       memory_.learn(scanOf(choice), label.empty() ? choice.place : label, true);
@@ -89,8 +91,8 @@ Recognized StoreSource::recognize(const ScanChoice& choice) {
 
 std::string StoreSource::exportTo(const std::string& folder) {
   const auto files = core::exportMap(
-      memory_.map(), [this](core::PlaceId id) { return memory_.grid(id); },
-      parameters_.sonar.prior, folder);
+      memory_.map(), [this](core::PlaceId id) { return memory_.grid(id); }, parameters_.sonar.prior,
+      folder);
   return "wrote " + std::to_string(files.size()) + " files into " + folder;
 }
 

@@ -145,8 +145,8 @@ class PLACE_MEMORY_PUBLIC PlaceMemory {
   /// Removes every place and returns how many there were. Throws PlaceMemoryError.
   std::size_t clear();
 
-  /// Writes a store's file with all that is known: a sound copy, whatever happens meanwhile. A store
-  /// that has the name already goes. Throws PlaceMemoryError (kStoreFailed).
+  /// Writes a store's file with all that is known: a sound copy, whatever happens meanwhile. A
+  /// store that has the name already goes. Throws PlaceMemoryError (kStoreFailed).
   void save(const std::string& path) const;
   /// Puts the places of another store into the place of those that are known, and returns how many
   /// there are. They get new ids; labels and identities stay. Where the robot is is not known then.

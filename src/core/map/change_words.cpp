@@ -43,9 +43,10 @@ std::string editsInWords(const std::vector<MapEdit>& edits, const PlaceMap& befo
     } else if (const auto* adapted = std::get_if<GridAdapted>(&edit)) {
       count("folded a scan into", labelOf(adapted->id));
     } else if (const auto* link = std::get_if<LinkAdded>(&edit)) {
-      const bool is_new = before.find(link->link.first) != nullptr &&
-                          before.find(link->link.second) != nullptr;
-      if (is_new) count("linked", labelOf(link->link.first) + "\" to \"" + labelOf(link->link.second));
+      const bool is_new =
+          before.find(link->link.first) != nullptr && before.find(link->link.second) != nullptr;
+      if (is_new)
+        count("linked", labelOf(link->link.first) + "\" to \"" + labelOf(link->link.second));
     } else if (const auto* cut = std::get_if<LinkRemoved>(&edit)) {
       count("unlinked", labelOf(cut->first) + "\" from \"" + labelOf(cut->second));
     } else if (std::holds_alternative<MapCleared>(edit)) {

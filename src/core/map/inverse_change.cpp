@@ -17,9 +17,7 @@ class TouchedParts {
  public:
   explicit TouchedParts(const PlaceMap& before) : before_(before) {}
 
-  void operator()(const PlaceAdded& edit) {
-    places_[edit.place.id] = true;
-  }
+  void operator()(const PlaceAdded& edit) { places_[edit.place.id] = true; }
   void operator()(const PlaceMoved& edit) { moved_.insert(edit.id); }
   void operator()(const PlaceRenamed& edit) { renamed_.insert(edit.id); }
   void operator()(const GridAdapted& edit) { adapted_.insert(edit.id); }
@@ -108,8 +106,7 @@ std::optional<std::vector<MapEdit>> inverseOf(const std::vector<MapEdit>& edits,
   }
   for (const PlaceId id : touched.adapted()) {
     if (!fits(kGridCells)) return std::nullopt;
-    inverse.emplace_back(
-        GridAdapted{id, std::make_shared<const EvidenceGrid>(contents.grid(id))});
+    inverse.emplace_back(GridAdapted{id, std::make_shared<const EvidenceGrid>(contents.grid(id))});
   }
   for (const auto& [ends, is_there] : touched.links()) {
     const PlaceLink* link = before.findLink(ends.first, ends.second);

@@ -29,7 +29,9 @@ class Text : public std::ostringstream {
   }
 };
 
-double seconds(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
+double seconds(std::chrono::nanoseconds time) {
+  return std::chrono::duration<double>(time).count();
+}
 
 std::string escaped(const std::string& text) {
   std::string safe;

@@ -43,16 +43,13 @@ std::size_t PlaceMemory::Impl::load(const std::string& path) {
   const PlaceStore other = openOther(path, cell_size_);
   const PlaceMap theirs = withOther([&] { return other.map(); });
   return queue_.run([&] {
-    const auto [next_id, next_session] = writer_.query([](PlaceStore& store) {
-      return std::make_pair(store.nextId(), store.nextSession());
+    const auto [next_id, next_session] = writer_.query(
+        [](PlaceStore& store) { return std::make_pair(store.nextId(), store.nextSession()); });
+    std::vector<MapEdit> edits = withOther([&, id = next_id, session = next_session] {
+      return replacingEdits(theirs, other, id, session);
     });
-    std::vector<MapEdit> edits =
-        withOther([&, id = next_id, session = next_session] {
-          return replacingEdits(theirs, other, id, session);
-        });
     writer_.commit(
-        std::move(edits),
-        [&] { state_.whereabouts.forget(theirs.size() == 0); },
+        std::move(edits), [&] { state_.whereabouts.forget(theirs.size() == 0); },
         "loaded " + std::to_string(theirs.size()) + " places of " + nameOf(path));
     return theirs.size();
   });
@@ -86,9 +83,8 @@ MergeReport PlaceMemory::Impl::merge(const std::string& path) {
   const PlaceMap theirs = withOther([&] { return other.map(); });
   const auto sightings = withOther([&] { return sightingsOf(theirs, other); });
   return queue_.run([&] {
-    const auto [next_id, next_session] = writer_.query([](PlaceStore& store) {
-      return std::make_pair(store.nextId(), store.nextSession());
-    });
+    const auto [next_id, next_session] = writer_.query(
+        [](PlaceStore& store) { return std::make_pair(store.nextId(), store.nextSession()); });
     MergePlan plan = withOther([&, id = next_id, session = next_session] {
       return planMerge(state_.map, theirs, other, sightings, id, session);
     });

@@ -86,17 +86,16 @@ std::vector<PastChange> MapWriter::undo(std::size_t count) {
   const std::vector<PastChange> changes =
       query([count](PlaceStore& store) { return store.history(count); });
   if (changes.size() < count) {
-    throw PlaceMemoryError(Reason::kNothingToUndo,
-                           changes.empty() ? "there is no change in the history"
-                                           : "there are no more than " +
-                                                 std::to_string(changes.size()) +
-                                                 " changes in the history");
+    throw PlaceMemoryError(Reason::kNothingToUndo, changes.empty()
+                                                       ? "there is no change in the history"
+                                                       : "there are no more than " +
+                                                             std::to_string(changes.size()) +
+                                                             " changes in the history");
   }
   std::vector<MapEdit> edits;
   HistoryEdit history;
   for (const PastChange& change : changes) {
-    auto inverse =
-        query([&change](PlaceStore& store) { return store.inverse(change.version); });
+    auto inverse = query([&change](PlaceStore& store) { return store.inverse(change.version); });
     if (!inverse) {
       throw PlaceMemoryError(Reason::kCannotUndo,
                              "what was there before this change was too much to be kept, or is "

@@ -121,9 +121,8 @@ class Merge {
     if (same == same_.end()) return std::nullopt;
     const auto& [counterpart, pair] = same->second;
     // Of a session apart a sighting may be wrong.
-    const bool is_right =
-        pair.sure ||
-        (is_apart_.count(theirs.session) == 0 && agrees(frames_.at(theirs.session), pair, 0.0));
+    const bool is_right = pair.sure || (is_apart_.count(theirs.session) == 0 &&
+                                        agrees(frames_.at(theirs.session), pair, 0.0));
     return is_right ? std::optional<Counterpart>(counterpart) : std::nullopt;
   }
 

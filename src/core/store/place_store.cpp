@@ -156,7 +156,8 @@ class PlaceStore::Impl {
     head_.identity = makeIdentity();
     head_.cell_size = cell_size_;
     head_.totals = reader_->found();
-    for (const StoreTable table : {StoreTable::kNode, StoreTable::kTie, StoreTable::kWheels, StoreTable::kHistory}) {
+    for (const StoreTable table :
+         {StoreTable::kNode, StoreTable::kTie, StoreTable::kWheels, StoreTable::kHistory}) {
       head_.totals.of(table) = of_scans.of(table);
     }
     head_.next_place = reader_->highestId() + 1;

@@ -22,7 +22,8 @@ void requireReplaceable(const SqliteDatabase& from, const std::string& path) {
   const bool is_store = fs::is_regular_file(path) && header.read(path) && header.isSqlite() &&
                         header.applicationId() == kStoreApplicationId;
   if (!is_store) {
-    throwStoreError(path, "is there and is no place store; it was left as it is. Name another file");
+    throwStoreError(path,
+                    "is there and is no place store; it was left as it is. Name another file");
   }
   SqliteDatabase older(path, false);
   if (!older.isReadOnly()) older.execute("BEGIN EXCLUSIVE; ROLLBACK");  // throws where it is in use

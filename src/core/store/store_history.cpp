@@ -67,8 +67,8 @@ void writeHistory(SqliteDatabase& database, const HistoryEdit& edit, StoreHead& 
 
 std::vector<PastChange> readHistory(SqliteDatabase& database, std::size_t most) {
   std::vector<PastChange> changes;
-  SqliteStatement row(database, std::string("SELECT ") + kColumns +
-                                    " FROM history ORDER BY version DESC");
+  SqliteStatement row(database,
+                      std::string("SELECT ") + kColumns + " FROM history ORDER BY version DESC");
   while (changes.size() < most && row.step()) {
     if (!isAsWritten(row)) continue;
     PastChange change;

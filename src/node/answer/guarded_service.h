@@ -16,9 +16,8 @@ namespace place_memory::node {
 template <class Server, class Request, class Response>
 ros::ServiceServer advertiseGuarded(ros::NodeHandle& node, const char* name, Server* server,
                                     void (Server::*answer)(const Request&, Response&)) {
-  const boost::function<bool(Request&, Response&)> callback = [server, answer](
-                                                                  Request& request,
-                                                                  Response& response) {
+  const boost::function<bool(Request&, Response&)> callback = [server, answer](Request& request,
+                                                                               Response& response) {
     try {
       (server->*answer)(request, response);
     } catch (const core::PlaceMemoryError& error) {

@@ -51,14 +51,17 @@ PlaceServices::PlaceServices(const ros::NodeHandle& private_node, const Context&
       edit_spinner_(1, &edit_queue_) {
   ros::NodeHandle match_node(private_node);
   match_node.setCallbackQueue(&match_queue_);
-  servers_.push_back(advertiseGuarded(match_node, kRecognizePlaceService, this, &PlaceServices::recognize));
+  servers_.push_back(
+      advertiseGuarded(match_node, kRecognizePlaceService, this, &PlaceServices::recognize));
 
   ros::NodeHandle edit_node(private_node);
   edit_node.setCallbackQueue(&edit_queue_);
   servers_.push_back(advertiseGuarded(edit_node, kLearnPlaceService, this, &PlaceServices::learn));
   servers_.push_back(advertiseGuarded(edit_node, kListPlacesService, this, &PlaceServices::list));
-  servers_.push_back(advertiseGuarded(edit_node, kRenamePlaceService, this, &PlaceServices::rename));
-  servers_.push_back(advertiseGuarded(edit_node, kRemovePlaceService, this, &PlaceServices::remove));
+  servers_.push_back(
+      advertiseGuarded(edit_node, kRenamePlaceService, this, &PlaceServices::rename));
+  servers_.push_back(
+      advertiseGuarded(edit_node, kRemovePlaceService, this, &PlaceServices::remove));
   servers_.push_back(advertiseGuarded(edit_node, kClearService, this, &PlaceServices::clear));
   servers_.push_back(advertiseGuarded(edit_node, kGetGraphService, this, &PlaceServices::getGraph));
 

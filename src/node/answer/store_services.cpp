@@ -112,9 +112,8 @@ void StoreServices::exportMap(const Export::Request& request, Export::Response& 
   }
   const core::MapSnapshot map = memory_.map();
   try {
-    response.files =
-        core::exportMap(map, [this](core::PlaceId id) { return memory_.grid(id); },
-                        parameters_.sonar.prior, *path);
+    response.files = core::exportMap(
+        map, [this](core::PlaceId id) { return memory_.grid(id); }, parameters_.sonar.prior, *path);
   } catch (const core::PlaceMemoryError&) {
     throw;
   } catch (const std::runtime_error& error) {
@@ -130,8 +129,7 @@ void StoreServices::undo(const Undo::Request& request, Undo::Response& response)
   const std::vector<core::PastChange> changes =
       request.look != 0 ? memory_.history(count) : memory_.undo(count);
   for (const core::PastChange& change : changes) {
-    response.changes.push_back(change.words +
-                               (change.can_be_undone ? "" : " (cannot be undone)"));
+    response.changes.push_back(change.words + (change.can_be_undone ? "" : " (cannot be undone)"));
     response.stamps.push_back(toRosTime(change.stamp));
   }
   if (request.look != 0) {
