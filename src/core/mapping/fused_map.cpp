@@ -4,14 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
 namespace place_memory::core {
 namespace {
 
-constexpr int kFinest = 8;       // cells of the map along one of a grid
-constexpr int kStepsACell = 4;   // to which poses are rounded
+constexpr int kFinest = 8;         // cells of the map along one of a grid
+constexpr int kStepsACell = 4;     // to which poses are rounded
 constexpr double kFarthest = 1e7;  // from the origin: beyond it numbers do not tell cells apart [m]
 
 /// What the grids of some places may reach.
@@ -34,8 +35,14 @@ struct Box {
   }
 };
 
+/// Edits of names and links.
+template <class Edit>
+constexpr bool kIsInvisible =
+    std::is_same_v<Edit, PlaceRenamed> || std::is_same_v<Edit, LinkAdded> ||
+    std::is_same_v<Edit, LinkRemoved> || std::is_same_v<Edit, LinkLearned>;
+
 double median(std::vector<double> numbers) {
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>((numbers.size() - 1) / 2);
   std::nth_element(numbers.begin(), middle, numbers.end());
   return *middle;
 }
@@ -85,12 +92,18 @@ struct FusedMap::Editor {
     map.entries_.clear();
     map.tiles_.clear();
   }
-  // Names and links do not show.
-  void operator()(const PlaceRenamed& /*edit*/) const {}
-  void operator()(const LinkAdded& /*edit*/) const {}
-  void operator()(const LinkRemoved& /*edit*/) const {}
-  void operator()(const LinkLearned& /*edit*/) const {}
+  template <class Other>
+  void operator()(const Other& /*edit*/) const {
+    static_assert(kIsInvisible<Other>);
+  }
 };
+
+bool showsInFusedMap(const MapChange& change) {
+  return std::any_of(change.edits.begin(), change.edits.end(), [](const MapEdit& edit) {
+    return std::visit([](const auto& kind) { return !kIsInvisible<std::decay_t<decltype(kind)>>; },
+                      edit);
+  });
+}
 
 void FusedMap::apply(const MapChange& change) {
   for (const MapEdit& edit : change.edits) std::visit(Editor{*this}, edit);
@@ -131,9 +144,9 @@ void FusedMap::choose() {
   } else {
     for (Entry* entry : candidates) entry->chosen = true;
   }
-  left_out_ = members - static_cast<std::size_t>(std::count_if(
-                            candidates.begin(), candidates.end(),
-                            [](const Entry* entry) { return entry->chosen; }));
+  left_out_ = members - static_cast<std::size_t>(
+                            std::count_if(candidates.begin(), candidates.end(),
+                                          [](const Entry* entry) { return entry->chosen; }));
 }
 
 void FusedMap::chooseMiddle(std::vector<Entry*> candidates) {
@@ -148,9 +161,8 @@ void FusedMap::chooseMiddle(std::vector<Entry*> candidates) {
     return std::hypot(entry->map_from_place.x - x, entry->map_from_place.y - y);
   };
   // Of places as far off the one with the lower id comes first.
-  std::stable_sort(candidates.begin(), candidates.end(), [&](const Entry* a, const Entry* b) {
-    return distance(a) < distance(b);
-  });
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](const Entry* a, const Entry* b) { return distance(a) < distance(b); });
   Box box;
   std::size_t chosen = 0;
   for (Entry* entry : candidates) {
@@ -224,8 +236,8 @@ FusedCells FusedMap::cells() const {
                        static_cast<std::size_t>(at.first - first.first) * kTileSize;
     for (std::size_t i = 0; i < tile.sums.size(); i += kTileSize, cell += width) {
       for (std::size_t column = 0; column < kTileSize; ++column) {
-        cells.evidence[cell + column] = static_cast<std::int8_t>(std::clamp(
-            tile.sums[i + column], -EvidenceGrid::kLimit, EvidenceGrid::kLimit));
+        cells.evidence[cell + column] = static_cast<std::int8_t>(
+            std::clamp(tile.sums[i + column], -EvidenceGrid::kLimit, EvidenceGrid::kLimit));
       }
     }
   }

@@ -37,6 +37,9 @@ struct FusedCells {
   std::vector<std::int8_t> evidence;  ///< row by row, least y first; saturated
 };
 
+/// Whether the map may look different after the change: names and links do not show.
+bool showsInFusedMap(const MapChange& change);
+
 /// The building's map: the evidence of all places' grids, each laid where its place lies now, added
 /// up cell by cell.
 ///

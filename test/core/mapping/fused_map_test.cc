@@ -310,6 +310,14 @@ TEST(FusedMap, ManyPlacesThatAgreeSaturate) {
   EXPECT_EQ(at(map.cells(), 0.0, 0.0), -5);
 }
 
+TEST(FusedMap, NamesAndLinksDoNotShow) {
+  MapChange change;
+  change.edits = {PlaceRenamed{1, "a"}, LinkAdded{}, LinkRemoved{1, 2}, LinkLearned{}};
+  EXPECT_FALSE(showsInFusedMap(change));
+  change.edits.emplace_back(PlaceMoved{1, {}, 1});
+  EXPECT_TRUE(showsInFusedMap(change));
+}
+
 TEST(FusedMap, ACellIsNoFinerThanAnEighthOfAGrids) {
   FusedMapOptions options;
   options.resolution = 0.01;
