@@ -111,6 +111,14 @@ void readPlaces(ParameterReader& reader, core::AdaptationOptions& places) {
   reader.number("places/retention", {0.0, 1.0, true, false}, places.retention);
 }
 
+void readMap(ParameterReader& reader, FusedMapOptions& map) {
+  reader.number("map/resolution", closed(0.01, 1.0), map.resolution);
+  reader.integer("map/max_cells", closed(4e6, 4e8), map.max_cells);
+  reader.number("map/occupied", open(0.0, 1.0), map.occupied);
+  reader.number("map/empty", open(0.0, 1.0), map.empty);
+  reader.number("map/pause", closed(0.1, kLongest), map.pause);
+}
+
 Parameters readAll(ParameterReader& reader) {
   Parameters parameters;
   readFrame(reader, "odom_frame", true, parameters.odom_frame);
@@ -134,6 +142,7 @@ Parameters readAll(ParameterReader& reader) {
   readScan(reader, parameters.scan);
   readMatch(reader, parameters.match);
   readPlaces(reader, parameters.places);
+  readMap(reader, parameters.map);
   reader.integer("markers/labels", closed(0, 10000), parameters.markers.labels);
   return parameters;
 }
@@ -146,6 +155,9 @@ void checkTogether(const Parameters& parameters, std::vector<std::string>& probl
     text << "sonar: must be ascending: empty (" << sonar.empty << "), prior (" << sonar.prior
          << "), occupied (" << sonar.occupied << ")";
     problems.push_back(text.str());
+  }
+  if (parameters.map.empty >= parameters.map.occupied) {
+    problems.push_back("map/empty: must be below map/occupied");
   }
   const std::set<std::string> topics(parameters.sonar_topics.begin(),
                                      parameters.sonar_topics.end());

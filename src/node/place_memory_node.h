@@ -19,6 +19,7 @@
 #include "node/base/guarded_queue.h"
 #include "node/input/transform_input.h"
 #include "node/live_parameters.h"
+#include "node/map/fused_map_publisher.h"
 #include "node/map/map_frame_broadcaster.h"
 #include "node/map/map_publisher.h"
 #include "node/scan/scan_server.h"
@@ -65,6 +66,7 @@ class PlaceMemoryNode {
   ros::Publisher scan_grid_;
   AnswerPublisher answer_publisher_;
   MapPublisher map_publisher_;
+  FusedMapPublisher fused_map_publisher_;
   MapFrameBroadcaster map_frame_broadcaster_;
   ScanServer scan_server_;
   LiveParameters live_parameters_;
