@@ -5,9 +5,11 @@
 #include <fstream>
 #include <iomanip>
 #include <locale>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 
+#include "core/mapping/fused_map.h"
 #include "support/csv.h"
 
 namespace place_memory::core {
@@ -57,28 +59,44 @@ void write(const std::string& path, const std::string& content, std::vector<std:
   files.push_back(path);
 }
 
+/// What an image of map_server shows: cells row by row, the least y first.
+struct Cells {
+  int columns = 0;
+  int rows = 0;
+  const std::int8_t* evidence = nullptr;
+};
+
 /// Of a map_server image: dark is occupied, the first row is that of the greatest y.
-std::string asPgm(const EvidenceGrid& grid, double prior) {
+std::string asPgm(const Cells& cells, double prior) {
   Text text;
-  text << "P5\n" << kGridSize << ' ' << kGridSize << "\n255\n";
-  for (int row = kGridSize - 1; row >= 0; --row) {
-    for (int column = 0; column < kGridSize; ++column) {
-      const double occupied = EvidenceGrid::probability(grid.at(row, column), prior);
+  text << "P5\n" << cells.columns << ' ' << cells.rows << "\n255\n";
+  for (int row = cells.rows - 1; row >= 0; --row) {
+    for (int column = 0; column < cells.columns; ++column) {
+      const int evidence =
+          cells.evidence[static_cast<std::ptrdiff_t>(row) * cells.columns + column];
+      const double occupied = EvidenceGrid::probability(evidence, prior);
       text << static_cast<char>(static_cast<unsigned char>(std::lround(kWhite * (1.0 - occupied))));
     }
   }
   return text.str();
 }
 
-std::string asYaml(const Place& place, const GridGeometry& geometry, double prior) {
-  const Pose2d corner =
-      place.map_from_place * Pose2d{-geometry.halfWidth(), -geometry.halfWidth(), 0.0};
+/// `corner`: pose of the image's lower left corner in the map.
+std::string asYaml(const std::string& image, double resolution, const Pose2d& corner,
+                   double prior) {
   Text text;
-  text << "# place " << place.id << ", session " << place.session << "\nimage: " << place.id
-       << ".pgm\nresolution: " << geometry.cell_size << "\norigin: [" << corner.x << ", "
+  text << "image: " << image << "\nresolution: " << resolution << "\norigin: [" << corner.x << ", "
        << corner.y << ", " << corner.yaw << "]\nnegate: 0\noccupied_thresh: " << prior + kThreshold
        << "\nfree_thresh: " << prior - kThreshold << "\nmode: trinary\n";
   return text.str();
+}
+
+/// Writes the two files of an image of map_server.
+void writeImage(const std::string& folder, const std::string& name, const Cells& cells,
+                double resolution, const Pose2d& corner, double prior,
+                std::vector<std::string>& files) {
+  write(folder + "/" + name + ".pgm", asPgm(cells, prior), files);
+  write(folder + "/" + name + ".yaml", asYaml(name + ".pgm", resolution, corner, prior), files);
 }
 
 }  // namespace
@@ -161,7 +179,7 @@ std::string mapAsGraphml(const MapSnapshot& map) {
 
 std::vector<std::string> exportMap(const MapSnapshot& map,
                                    const std::function<EvidenceGrid(PlaceId)>& grid_of,
-                                   double prior, const std::string& folder) {
+                                   double cell_size, double prior, const std::string& folder) {
   const std::string places = folder + "/places";
   std::error_code error;
   fs::create_directories(places, error);
@@ -172,12 +190,21 @@ std::vector<std::string> exportMap(const MapSnapshot& map,
   write(folder + "/places.csv", placesAsCsv(map), files);
   write(folder + "/links.csv", linksAsCsv(map), files);
   write(folder + "/map.graphml", mapAsGraphml(map), files);
+  FusedMapOptions options;
+  options.most_places = map.places.size() + 1;
+  FusedMap building(options, GridGeometry{cell_size});
   for (const Place& place : map.places) {
-    const EvidenceGrid grid = grid_of(place.id);
-    const std::string name = places + "/" + std::to_string(place.id);
-    write(name + ".pgm", asPgm(grid, prior), files);
-    write(name + ".yaml", asYaml(place, grid.geometry(), prior), files);
+    const auto grid = std::make_shared<const EvidenceGrid>(grid_of(place.id));
+    const double half = grid->geometry().halfWidth();
+    writeImage(places, std::to_string(place.id), {kGridSize, kGridSize, grid->cells().data()},
+               cell_size, place.map_from_place * Pose2d{-half, -half, 0.0}, prior, files);
+    building.add(place, grid);
   }
+  building.update();
+  const FusedCells cells = building.cells();
+  if (cells.evidence.empty()) return files;
+  writeImage(folder, "building", {cells.columns, cells.rows, cells.evidence.data()},
+             cells.resolution, {cells.left, cells.bottom, 0.0}, prior, files);
   return files;
 }
 

@@ -113,7 +113,8 @@ void StoreServices::exportMap(const Export::Request& request, Export::Response& 
   const core::MapSnapshot map = memory_.map();
   try {
     response.files = core::exportMap(
-        map, [this](core::PlaceId id) { return memory_.grid(id); }, parameters_.sonar.prior, *path);
+        map, [this](core::PlaceId id) { return memory_.grid(id); }, parameters_.grid.cell_size,
+        parameters_.sonar.prior, *path);
   } catch (const core::PlaceMemoryError&) {
     throw;
   } catch (const std::runtime_error& error) {
