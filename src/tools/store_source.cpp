@@ -91,8 +91,8 @@ Recognized StoreSource::recognize(const ScanChoice& choice) {
 
 std::string StoreSource::exportTo(const std::string& folder) {
   const auto files = core::exportMap(
-      memory_.map(), [this](core::PlaceId id) { return memory_.grid(id); }, parameters_.sonar.prior,
-      folder);
+      memory_.map(), [this](core::PlaceId id) { return memory_.grid(id); },
+      parameters_.grid.cell_size, parameters_.sonar.prior, folder);
   return "wrote " + std::to_string(files.size()) + " files into " + folder;
 }
 

@@ -68,7 +68,7 @@ class LiveTravelTest(live_test.LiveTestCase):
     def test_a_map_is_exported(self):
         exported = self.node.call("export", path="map")
         self.assert_answer(exported, exported.OK)
-        for name in ("places.csv", "links.csv", "map.graphml", "places/1.pgm", "places/1.yaml"):
+        for name in ("places.csv", "links.csv", "map.graphml", "building.pgm", "building.yaml", "places/1.pgm", "places/1.yaml"):
             self.assertIn(self.path("map/" + name), exported.files)
             self.assertTrue(os.path.exists(self.path("map/" + name)))
 

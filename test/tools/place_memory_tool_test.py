@@ -134,6 +134,9 @@ class MapToolTest(unittest.TestCase):
         with open(os.path.join(folder, "places", "1.pgm"), "rb") as file:
             header, content = file.read(13), file.read()
         self.assertEqual((header, len(content)), (b"P5\n64 64\n255\n", 64 * 64))
+        with open(os.path.join(folder, "building.pgm"), "rb") as file:
+            columns, rows = file.read(20).split()[1:3]
+        self.assertGreater(int(columns), int(rows))
         with open(os.path.join(folder, "places", "1.yaml")) as file:
             self.assertIn("image: 1.pgm", file.read())
 
