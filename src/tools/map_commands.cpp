@@ -15,6 +15,7 @@
 #include "tools/node_source.h"
 #include "tools/png.h"
 #include "tools/record_table.h"
+#include "tools/store_reports.h"
 #include "tools/store_source.h"
 
 namespace place_memory::tools {
@@ -61,6 +62,7 @@ class Commands {
 
   ExitStatus run() {
     if (arguments_.command == "check") return check();
+    if (arguments_.command == "twins" || arguments_.command == "changes") return report();
     open();
     if (arguments_.command == "list") return list();
     if (arguments_.command == "show") return show();
@@ -243,6 +245,20 @@ class Commands {
                Decimal{way, 1}, arrived, gave_up, static_cast<std::int64_t>(map.version),
                timeInWords(map.stamp), static_cast<std::int64_t>(bytes)});
     print(table);
+    return kDone;
+  }
+
+  ExitStatus report() {
+    if (arguments_.store.empty()) {
+      throw CommandError(
+          "reports are made of a store: name it by --store, of a node the copy that "
+          "its service ~save writes");
+    }
+    print(arguments_.command == "twins"
+              ? twinTable(arguments_.store, parameters_)
+              : changeTable(arguments_.store,
+                            arguments_.words.empty() ? "" : arguments_.words.front(),
+                            arguments_.from, parameters_));
     return kDone;
   }
 
