@@ -1,17 +1,13 @@
 #include "tools/map_commands.h"
 
 #include <algorithm>
-#include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <map>
 #include <memory>
-#include <set>
 
 #include "config/load_parameters.h"
 #include "core/memory/map_export.h"
+#include "tools/map_tables.h"
 #include "tools/node_source.h"
 #include "tools/png.h"
 #include "tools/record_table.h"
@@ -31,20 +27,6 @@ constexpr char kWhyNoCp[] =
     "and\nuntil it is whole the way back lies in the file's -journal, so that cp gets some of "
     "both. "
     "Ask the node for\na copy by its service ~save, or stop it first.";
-
-std::int64_t integer(std::size_t number) { return static_cast<std::int64_t>(number); }
-
-/// In UTC; empty where there is none.
-std::string timeInWords(std::chrono::nanoseconds time) {
-  if (time.count() == 0) return "";
-  const auto seconds =
-      static_cast<std::time_t>(std::chrono::duration_cast<std::chrono::seconds>(time).count());
-  std::tm date{};
-  gmtime_r(&seconds, &date);
-  char text[sizeof("2000-00-00T00:00:00Z") + 8];
-  std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &date);
-  return text;
-}
 
 const core::Place& placeOf(const core::MapSnapshot& map, const std::string& label) {
   const auto found = std::find_if(map.places.begin(), map.places.end(),
@@ -105,48 +87,24 @@ class Commands {
   }
 
   ExitStatus list() {
-    RecordTable table({"id", "label", "session", "x", "y", "yaw", "learned"});
-    for (const core::Place& place : source_->map().places) {
-      const core::Pose2d& pose = place.map_from_place;
-      table.add({place.id, place.label, place.session, Decimal{pose.x}, Decimal{pose.y},
-                 Decimal{pose.yaw}, timeInWords(place.learned)});
-    }
-    print(table);
+    print(placeTable(source_->map().places));
     return kDone;
   }
 
   ExitStatus show() {
     const core::MapSnapshot map = source_->map();
     const core::Place& place = placeOf(map, arguments_.words.front());
-    const core::Pose2d& pose = place.map_from_place;
-    RecordTable table({"id", "label", "session", "x", "y", "yaw", "learned", "identity"});
-    table.add({place.id, place.label, place.session, Decimal{pose.x}, Decimal{pose.y},
-               Decimal{pose.yaw}, timeInWords(place.learned),
-               core::identityInWords(place.identity)});
-    print(table);
-    if (!arguments_.json) printLinks(map, place);
+    print(placeTable({place}));
+    if (!arguments_.json) {
+      out_ << "identity " << core::identityInWords(place.identity) << "\n\n";
+      linkTable(map, place).print(out_);
+    }
     if (arguments_.png.empty()) return kDone;
     std::ofstream picture(arguments_.png, std::ios::binary);
     picture << asPng(pictureOf(source_->grid(place.id), kPixelsPerCell));
     picture.close();
     if (!picture) throw CommandError("cannot write the picture " + arguments_.png);
     return kDone;
-  }
-
-  void printLinks(const core::MapSnapshot& map, const core::Place& place) {
-    std::map<core::PlaceId, std::string> labels;
-    for (const core::Place& other : map.places) labels[other.id] = other.label;
-    RecordTable table({"linked to", "metres", "arrived", "gave up"});
-    for (const core::PlaceLink& link : map.links) {
-      if (link.first != place.id && link.second != place.id) continue;
-      const bool is_first = link.first == place.id;
-      const core::LinkDirection& there = is_first ? link.forward : link.backward;
-      table.add({labels[is_first ? link.second : link.first],
-                 Decimal{std::hypot(link.first_from_second.x, link.first_from_second.y), 2},
-                 std::int64_t{there.succeeded}, std::int64_t{there.failed}});
-    }
-    if (table.size() > 0) out_ << '\n';
-    table.print(out_);
   }
 
   ScanChoice scanChoice() const {
@@ -198,25 +156,15 @@ class Commands {
     return status;
   }
 
-  void print(const std::vector<core::PastChange>& changes) {
-    RecordTable table({"back", "made", "change"});
-    std::int64_t back = 0;
-    for (const core::PastChange& change : changes) {
-      table.add({++back, timeInWords(change.stamp),
-                 change.words + (change.can_be_undone ? "" : " (cannot be undone)")});
-    }
-    print(table);
-  }
-
   ExitStatus history() {
     const auto changes = source_->history(arguments_.count == 0 ? kChangesShown : arguments_.count);
-    print(changes);
+    print(historyTable(changes));
     return kDone;
   }
 
   ExitStatus undo() {
     try {
-      print(source_->undo(std::max<std::size_t>(1, arguments_.count)));
+      print(historyTable(source_->undo(std::max<std::size_t>(1, arguments_.count))));
     } catch (const core::PlaceMemoryError& error) {
       if (error.reason() != core::PlaceMemoryError::Reason::kNothingToUndo) throw;
       throw CommandError(error.what(), kNo);
@@ -225,26 +173,10 @@ class Commands {
   }
 
   ExitStatus stats() {
-    const core::MapSnapshot map = source_->map();
-    std::set<core::SessionId> sessions;
-    for (const core::Place& place : map.places) sessions.insert(place.session);
-    double way = 0.0;
-    std::int64_t arrived = 0;
-    std::int64_t gave_up = 0;
-    for (const core::PlaceLink& link : map.links) {
-      way += std::hypot(link.first_from_second.x, link.first_from_second.y);
-      arrived += link.forward.succeeded + link.backward.succeeded;
-      gave_up += link.forward.failed + link.backward.failed;
-    }
-    RecordTable table({"places", "links", "sessions", "metres of links", "arrived", "gave up",
-                       "version", "changed", "bytes"});
     std::error_code error;
     const auto bytes =
         arguments_.store.empty() ? 0 : std::filesystem::file_size(arguments_.store, error);
-    table.add({integer(map.places.size()), integer(map.links.size()), integer(sessions.size()),
-               Decimal{way, 1}, arrived, gave_up, static_cast<std::int64_t>(map.version),
-               timeInWords(map.stamp), static_cast<std::int64_t>(bytes)});
-    print(table);
+    print(statsTable(source_->map(), bytes));
     return kDone;
   }
 
