@@ -39,13 +39,23 @@ void measureTwins(const po::variables_map& given, const config::Parameters& para
   core::TwinOptions options;
   options.most = given["most"].as<std::size_t>();
   options.least_likeness = given["likeness"].as<double>();
+  trials::Recipe visit = recipe();
+  visit.any_heading = given.count("any-heading") > 0;
+  if (visit.any_heading) options.heading_window = core::kPi;
+  sim::SimulatedRobot robot;
+  robot.ring.count = given["sonars"].as<int>();
+  robot.ring.spacing = 2.0 * core::kPi / robot.ring.count;
   reports::TwinScore score;
   const auto seeds = given["seeds"].as<std::uint64_t>();
   for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + seeds; ++seed) {
-    const sim::World world = given.count("world") > 0
-                                 ? sim::loadWorld(given["world"].as<std::string>())
-                                 : sim::generateBuilding(seed);
-    score.add(reports::tryTwins(world, recipe(), seed, parameters, options));
+    std::vector<sim::World> worlds;
+    if (given.count("world") > 0)
+      worlds.push_back(sim::loadWorld(given["world"].as<std::string>()));
+    for (std::uint64_t i = 0;
+         given.count("world") == 0 && i < given["buildings"].as<std::uint64_t>(); ++i) {
+      worlds.push_back(sim::generateBuilding(sim::BuildingKind::kCorridor, 100 * seed + i));
+    }
+    score.add(reports::tryTwins(worlds, robot, visit, seed, parameters, options));
   }
   std::cout << "twins: " << score.twins << " of " << score.places
             << " places; confusions: " << share(score.confusions, score.visits)
@@ -98,6 +108,9 @@ int main(int argc, char** argv) {
     add("params", po::value<std::vector<std::string>>()->default_value({}, "")->composing(),
         "parameters");
     add("seeds", po::value<std::uint64_t>()->default_value(20), "how many");
+    add("sonars", po::value<int>()->default_value(16), "of the robot");
+    add("buildings", po::value<std::uint64_t>()->default_value(10), "that are one map of twins");
+    add("any-heading", "without a compass, of twins");
     add("most", po::value<std::size_t>()->default_value(twins.most), "twins of one place");
     add("likeness", po::value<double>()->default_value(twins.least_likeness), "of twins, least");
     add("sure", po::value<int>()->default_value(changes.sure), "evidence of a change");
