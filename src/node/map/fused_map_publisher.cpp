@@ -16,7 +16,7 @@
 namespace place_memory::node {
 namespace {
 
-std::chrono::nanoseconds pauseOf(const config::FusedMapOptions& parameters) {
+std::chrono::nanoseconds pauseOf(const config::MapOptions& parameters) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
       std::chrono::duration<double>(parameters.pause));
 }
