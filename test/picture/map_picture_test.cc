@@ -16,11 +16,11 @@ core::Place makePlace(core::PlaceId id, double x, double y) {
   return place;
 }
 
-template <class Shape>
-std::vector<Shape> shapesOf(const Picture& picture) {
-  std::vector<Shape> found;
+template <class Kind>
+std::vector<Kind> shapesOf(const Picture& picture) {
+  std::vector<Kind> found;
   for (const Shape& shape : picture.shapes) {
-    if (const auto* one = std::get_if<Shape>(&shape)) found.push_back(*one);
+    if (const auto* one = std::get_if<Kind>(&shape)) found.push_back(*one);
   }
   return found;
 }

@@ -10,7 +10,7 @@ import sys
 import tempfile
 import unittest
 
-DRAW_WORLD, FILM, SIMULATE = sys.argv.pop(2), sys.argv.pop(1), sys.argv.pop(1)
+FILM, DRAW_WORLD, SIMULATE = (sys.argv.pop(1) for _ in range(3))
 WORLD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "config",
                      "worlds", "office.yaml")
 
