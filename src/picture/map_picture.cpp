@@ -190,11 +190,12 @@ std::string mapPictures(const core::MapSnapshot& map, const core::FusedMap::Grid
   std::string text;
   for (const auto& [session, places] : sessions) {
     const Extent extent = extentOf(places);
-    text += "<h3>Session " + std::to_string(session) + ": " + std::to_string(places.size()) +
-            (places.size() == 1 ? " place" : " places") + "</h3>\n<p>" +
-            decimal(extent.right - extent.left, 1) + " m by " +
-            decimal(extent.top - extent.bottom, 1) + " m</p>\n" +
-            toSvg(mapPicture({fused(places, grid_of, cell_size), places, map.links, {}}), "map");
+    text +=
+        "<h3>Session " + std::to_string(session) + ": " + std::to_string(places.size()) +
+        (places.size() == 1 ? " place" : " places") + "</h3>\n<p>" +
+        decimal(extent.right - extent.left, 1) + " m by " + decimal(extent.top - extent.bottom, 1) +
+        " m</p>\n" +
+        toSvg(mapPicture({fused(places, grid_of, cell_size), places, map.links, {}, {}}), "map");
   }
   return text;
 }

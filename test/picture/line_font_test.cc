@@ -41,7 +41,8 @@ TEST(LineFont, LettersAndDigitsAreAllDifferent) {
   };
   for (const char one : letters) {
     for (const char other : letters) {
-      if (one != other) EXPECT_NE(drawn(one), drawn(other)) << one << other;
+      if (one == other) continue;
+      EXPECT_NE(drawn(one), drawn(other)) << one << other;
     }
   }
 }

@@ -108,9 +108,9 @@ TEST(ToPng, SmallCellsAreMixed) {
 
 TEST(ToPng, TextIsReadable) {
   const Image image = draw({Text{{0.0, 2.0}, 2.0, "L", kBlue}});
-  EXPECT_EQ(image.at(20, 38), kBlue);  // the stem and the foot
-  EXPECT_EQ(image.at(20, 28), kBlue);
-  EXPECT_EQ(image.at(28, 39), kBlue);
+  EXPECT_LT(image.at(20, 38).red, 60);  // the stem and the foot
+  EXPECT_LT(image.at(20, 28).red, 60);
+  EXPECT_LT(image.at(28, 39).red, 60);
   EXPECT_EQ(image.at(28, 30), kWhite);
 }
 
