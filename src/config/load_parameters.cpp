@@ -111,7 +111,7 @@ void readPlaces(ParameterReader& reader, core::AdaptationOptions& places) {
   reader.number("places/retention", {0.0, 1.0, true, false}, places.retention);
 }
 
-void readMap(ParameterReader& reader, FusedMapOptions& map) {
+void readMap(ParameterReader& reader, MapOptions& map) {
   reader.number("map/resolution", closed(0.01, 1.0), map.resolution);
   reader.integer("map/max_cells", closed(4e6, 4e8), map.max_cells);
   reader.number("map/occupied", open(0.0, 1.0), map.occupied);

@@ -12,4 +12,11 @@ core::PlaceMemoryOptions memoryOptions(const Parameters& parameters) {
   return options;
 }
 
+core::FusedMapOptions fusedMapOptions(const Parameters& parameters) {
+  core::FusedMapOptions options;
+  options.resolution = parameters.map.resolution;
+  options.most_cells = static_cast<std::size_t>(parameters.map.max_cells);
+  return options;
+}
+
 }  // namespace place_memory::config

@@ -68,7 +68,7 @@ struct MatchOptions {
 };
 
 /// The building's map (nav_msgs/OccupancyGrid).
-struct FusedMapOptions {
+struct MapOptions {
   double resolution = 0.05;    ///< side of a cell [m]
   int max_cells = 16'000'000;  ///< of the box that is mapped
   double occupied = 0.65;      ///< probability from which a cell is occupied
@@ -104,7 +104,7 @@ struct Parameters {
   ScanOptions scan;
   MatchOptions match;
   core::AdaptationOptions places;
-  FusedMapOptions map;
+  MapOptions map;
   MarkerOptions markers;
 };
 

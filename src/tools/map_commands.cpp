@@ -7,9 +7,10 @@
 
 #include "config/load_parameters.h"
 #include "core/memory/map_export.h"
+#include "picture/grid_picture.h"
+#include "picture/png.h"
 #include "tools/map_tables.h"
 #include "tools/node_source.h"
-#include "tools/png.h"
 #include "tools/record_table.h"
 #include "tools/store_reports.h"
 #include "tools/store_source.h"
@@ -19,7 +20,7 @@ namespace {
 
 constexpr std::size_t kChangesShown = 20;
 constexpr std::size_t kMatchesShown = 10;
-constexpr std::uint32_t kPixelsPerCell = 8;
+constexpr int kPixelsPerCell = 8;
 
 constexpr char kWhyNoCp[] =
     "A store that a node has open is not copied soundly by cp: SQLite writes a change page by "
@@ -27,6 +28,20 @@ constexpr char kWhyNoCp[] =
     "and\nuntil it is whole the way back lies in the file's -journal, so that cp gets some of "
     "both. "
     "Ask the node for\na copy by its service ~save, or stop it first.";
+
+/// East to the right, north up.
+std::string placeAsPng(const core::EvidenceGrid& grid) {
+  const picture::Color unsensed{0xc4, 0xc4, 0xc4};
+  std::vector<picture::Color> pixels;
+  constexpr int kWidth = core::kGridSize * kPixelsPerCell;
+  for (int y = kWidth - 1; y >= 0; --y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const int evidence = grid.at(y / kPixelsPerCell, x / kPixelsPerCell);
+      pixels.push_back(evidence == 0 ? unsensed : picture::shadeOf(evidence));
+    }
+  }
+  return picture::encodePng(pixels, kWidth);
+}
 
 const core::Place& placeOf(const core::MapSnapshot& map, const std::string& label) {
   const auto found = std::find_if(map.places.begin(), map.places.end(),
@@ -101,7 +116,7 @@ class Commands {
     }
     if (arguments_.png.empty()) return kDone;
     std::ofstream picture(arguments_.png, std::ios::binary);
-    picture << asPng(pictureOf(source_->grid(place.id), kPixelsPerCell));
+    picture << placeAsPng(source_->grid(place.id));
     picture.close();
     if (!picture) throw CommandError("cannot write the picture " + arguments_.png);
     return kDone;

@@ -80,10 +80,11 @@ const std::map<std::string, Parts> kMayUse{
     {"node/drive", {"node"}},
     {"node", {"config", "ros", "node/input", "node/scan", "node/answer", "node/map", "node/drive"}},
 
-    {"tools", {"config", "ros", "node/input", "node/scan"}},
+    {"picture", {"core/memory", "boost"}},
+    {"tools", {"config", "picture", "ros", "node/input", "node/scan"}},
     {"rviz", {"support", "ros", "qt", "boost"}},
 
-    {"lab", {"config", "sim/robot", "json"}},  // every folder of it
+    {"lab", {"config", "picture", "sim/robot", "json"}},  // every folder of it
     {"lab/trials", {"lab"}},
     {"lab/training", {"lab/trials"}},
     {"lab/experiments", {"lab/trials"}},
@@ -105,7 +106,7 @@ struct Rule {
 const std::vector<Rule>& headerRules() {
   static const std::vector<Rule> rules{
       {std::regex("(core|sim|node)/([a-z0-9_]+)/[a-z0-9_]+\\.h"), "$1/$2"},
-      {std::regex("(config|sim_node|node|support|tools)/[a-z0-9_]+\\.h"), "$1"},
+      {std::regex("(config|picture|sim_node|node|support|tools)/[a-z0-9_]+\\.h"), "$1"},
       {std::regex("(trials|training|experiments|reports)/[a-z0-9_]+\\.h"), "lab/$1"},
       {std::regex("benchmark/benchmark\\.h"), "google_benchmark"},
       {std::regex("benchmark/[a-z0-9_]+\\.h"), "lab/benchmark"},
@@ -133,7 +134,7 @@ void addAll(const std::string& part, Parts& reached) {
 
 std::optional<std::string> partOfFile(const std::string& file) {
   static const std::regex in_group("src/(core|sim|node)/([a-z0-9_]+)/.+");
-  static const std::regex in_layer("src/(config|node|rviz|sim_node|support|tools)/.+");
+  static const std::regex in_layer("src/(config|node|picture|rviz|sim_node|support|tools)/.+");
   static const std::regex in_lab("(lab/[a-z]+)/.+");
   std::smatch match;
   if (file.rfind("include/", 0) == 0)

@@ -86,7 +86,7 @@ class MapToolTest(unittest.TestCase):
         begin = content.index(b"IDAT")
         size = struct.unpack(">I", content[begin - 4:begin])[0]
         pixels = zlib.decompress(content[begin + 4:begin + 4 + size])
-        self.assertEqual(len(pixels), 512 * 513)
+        self.assertEqual(len(pixels), 512 * (1 + 3 * 512))
         self.assertGreater(len(set(pixels)), 10)
         self.say("show", "attic", status=NO)
 
