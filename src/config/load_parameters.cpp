@@ -110,6 +110,11 @@ void readPlaces(ParameterReader& reader, core::AdaptationOptions& places) {
   reader.number("places/retention", {0.0, 1.0, true, false}, places.retention);
 }
 
+void readRoutes(ParameterReader& reader, core::LinkLearningOptions& routes) {
+  reader.number("routes/half_life", closed(1.0, 1000.0 * kDay), routes.half_life);
+  reader.number("routes/speed", closed(0.01, 10.0), routes.speed);
+}
+
 Parameters readAll(ParameterReader& reader) {
   Parameters parameters;
   readFrame(reader, "odom_frame", true, parameters.odom_frame);
@@ -128,6 +133,7 @@ Parameters readAll(ParameterReader& reader) {
   readScan(reader, parameters.scan);
   readMatch(reader, parameters.match);
   readPlaces(reader, parameters.places);
+  readRoutes(reader, parameters.routes);
   reader.integer("markers/labels", closed(0, 10000), parameters.markers.labels);
   return parameters;
 }

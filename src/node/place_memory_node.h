@@ -15,6 +15,7 @@
 #include "node/answer/answer_publisher.h"
 #include "node/answer/kept_scans.h"
 #include "node/answer/place_services.h"
+#include "node/answer/route_services.h"
 #include "node/base/guarded_queue.h"
 #include "node/input/transform_input.h"
 #include "node/live_parameters.h"
@@ -71,7 +72,8 @@ class PlaceMemoryNode {
   ros::SteadyTimer diagnostics_timer_;
   ros::SteadyTimer health_timer_;
   int ticks_without_time_ = 0;
-  PlaceServices services_;  ///< ends first: all changes come from there
+  PlaceServices services_;  ///< ends with the next: all changes come from there
+  RouteServices route_services_;
 };
 
 }  // namespace place_memory::node

@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "node/answer/answer_words.h"
+#include "node/answer/guarded_answer.h"
 #include "node/answer/service_status.h"
 #include "node/base/conversions.h"
 #include "node/base/node_names.h"
@@ -23,25 +24,6 @@ constexpr std::uint32_t kMatchThreads = 2;
 
 // Pi as people write it, such as 3.142, stands for pi.
 constexpr double kPiTolerance = 1e-3;
-
-constexpr char kNoTimeMessage[] =
-    "use_sim_time is set, but no time has come on /clock yet: start what publishes it";
-
-// Whatever goes wrong is an answer, and ends nothing.
-template <class Response, class Answer>
-void guard(Response& response, const Answer& answer) {
-  try {
-    answer();
-  } catch (const core::PlaceMemoryError& error) {
-    response = Response();
-    response.status = toStatus<Response>(error.reason());
-    response.message = error.what();
-  } catch (const std::exception& error) {
-    response = Response();
-    response.status = Response::FAILED;
-    response.message = error.what();
-  }
-}
 
 // The scan that a client asks for; nullptr where there is none, which is then the answer.
 template <class Response>

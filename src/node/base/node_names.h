@@ -27,6 +27,10 @@ constexpr char kRenamePlaceService[] = "rename_place";
 constexpr char kRemovePlaceService[] = "remove_place";
 constexpr char kClearService[] = "clear";
 constexpr char kGetGraphService[] = "get_graph";
+constexpr char kPlanRouteService[] = "plan_route";
+constexpr char kReportTraversalService[] = "report_traversal";
+constexpr char kSetLinkService[] = "set_link";
+constexpr char kMakePlanService[] = "make_plan";
 
 }  // namespace place_memory::node
 
