@@ -80,7 +80,7 @@ int run(const po::variables_map& given) {
   core::LinkLearningOptions options;
   options.half_life = given["half-life"].as<double>();
   const auto seeds = given["seeds"].as<std::uint64_t>();
-  std::cout << std::setprecision(3);
+  std::cout << std::setprecision(4);
   months(seeds, options);
   spells(seeds, options);
   quiet(seeds, options);
@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
     po::options_description options("usage: place_memory_routes");
     options.add_options()("help", "show this")(
         "seeds", po::value<std::uint64_t>()->default_value(20), "buildings, at least 1")(
-        "half-life", po::value<double>()->default_value(86400.0), "of evidence [s]");
+        "half-life", po::value<double>()->default_value(172800.0), "of evidence [s]");
     po::variables_map given;
     po::store(po::parse_command_line(argc, argv, options), given);
     if (given.count("help") > 0) {

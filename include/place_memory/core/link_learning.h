@@ -15,7 +15,7 @@ namespace place_memory::core {
 /// (After the idea of ELDEN, paper 10. Every link may be found open again, because its odds never
 /// get to zero.)
 struct LinkLearningOptions {
-  double half_life = 86400.0;  ///< [s], > 0
+  double half_life = 172800.0;  ///< [s], > 0
   double speed = 0.3;          ///< at which a link is taken to be driven until it was timed [m/s], > 0
 };
 

@@ -12,7 +12,7 @@ namespace {
 using Vertex = RouteGraph::Vertex;
 
 // Links may become so much quicker before they undercut the bounds: times are learned.
-constexpr double kSlack = 0.97;
+constexpr double kSlack = 0.985;
 // Of the reach, that all links together may undercut.
 constexpr double kWornUndercut = 0.02;
 constexpr double kWornGrowth = 1.25;
