@@ -119,6 +119,11 @@ void readMap(ParameterReader& reader, MapOptions& map) {
   reader.number("map/pause", closed(0.1, kLongest), map.pause);
 }
 
+void readRoutes(ParameterReader& reader, core::LinkLearningOptions& routes) {
+  reader.number("routes/half_life", closed(1.0, 1000.0 * kDay), routes.half_life);
+  reader.number("routes/speed", closed(0.01, 10.0), routes.speed);
+}
+
 Parameters readAll(ParameterReader& reader) {
   Parameters parameters;
   readFrame(reader, "odom_frame", true, parameters.odom_frame);
@@ -143,6 +148,7 @@ Parameters readAll(ParameterReader& reader) {
   readMatch(reader, parameters.match);
   readPlaces(reader, parameters.places);
   readMap(reader, parameters.map);
+  readRoutes(reader, parameters.routes);
   reader.integer("markers/labels", closed(0, 10000), parameters.markers.labels);
   return parameters;
 }

@@ -8,6 +8,7 @@ core::PlaceMemoryOptions memoryOptions(const Parameters& parameters) {
   options.cell_size = parameters.grid.cell_size;
   options.recognizer = parameters.match.recognizer;
   options.adaptation = parameters.places;
+  options.links = parameters.routes;
   options.sonar = parameters.sonar;
   return options;
 }

@@ -6,6 +6,7 @@
 
 #include "place_memory/core/adaptation_options.h"
 #include "place_memory/core/grid_geometry.h"
+#include "place_memory/core/link_learning.h"
 #include "place_memory/core/pose2d.h"
 #include "place_memory/core/recognizer_options.h"
 #include "place_memory/core/sonar_model.h"
@@ -105,6 +106,7 @@ struct Parameters {
   MatchOptions match;
   core::AdaptationOptions places;
   MapOptions map;
+  core::LinkLearningOptions routes;
   MarkerOptions markers;
 };
 
