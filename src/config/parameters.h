@@ -6,6 +6,7 @@
 
 #include "place_memory/core/adaptation_options.h"
 #include "place_memory/core/grid_geometry.h"
+#include "place_memory/core/link_learning.h"
 #include "place_memory/core/pose2d.h"
 #include "place_memory/core/recognizer_options.h"
 #include "place_memory/core/sonar_model.h"
@@ -67,6 +68,15 @@ struct MatchOptions {
   core::RecognizerOptions recognizer;  ///< with what that preset holds
 };
 
+/// The building's map (nav_msgs/OccupancyGrid).
+struct MapOptions {
+  double resolution = 0.05;    ///< side of a cell [m]
+  int max_cells = 16'000'000;  ///< of the box that is mapped
+  double occupied = 0.65;      ///< probability from which a cell is occupied
+  double empty = 0.196;        ///< up to which it is empty; what lies between is unknown
+  double pause = 1.0;          ///< between two maps [s], at least
+};
+
 /// What is drawn for rviz.
 struct MarkerOptions {
   int labels = 100;
@@ -82,6 +92,8 @@ struct Parameters {
   std::string heading_topic = "heading";  ///< empty: no compass, odometry's yaw is used
   std::string odom_topic;  ///< of nav_msgs/Odometry where nothing broadcasts tf; empty: none
   std::string store;       ///< path; empty: in memory only
+  /// Below it lie the files that services write and read; empty: there are none.
+  std::string store_directory;
   double time_jump_tolerance = 1.0;  ///< [s]
 
   core::GridGeometry grid;
@@ -93,6 +105,8 @@ struct Parameters {
   ScanOptions scan;
   MatchOptions match;
   core::AdaptationOptions places;
+  MapOptions map;
+  core::LinkLearningOptions routes;
   MarkerOptions markers;
 };
 

@@ -9,7 +9,7 @@
 #include <functional>
 #include <thread>
 
-#include "core/store/format3_store.h"
+#include "core/store/later_store_fixture.h"
 #include "core/store/old_store_fixture.h"
 #include "endurance/map_record.h"
 #include "endurance/power_cut.h"
@@ -37,7 +37,7 @@ class MigrationCutTest : public PlaceStoreTest, public testing::WithParamInterfa
   void makeOne() const {
     if (GetParam() < 3) return makeOldStore(path_, GetParam());
     fill();
-    makeFormat3(path_);
+    GetParam() == 3 ? makeFormat3(path_) : makeFormat4(path_);
   }
 
   // Opens the old store in a process that ends somehow. Returns how, as waitpid() says.
@@ -101,7 +101,7 @@ TEST_P(MigrationCutTest, WhereverThePowerFailsItLeavesTheOldStoreOrTheNewOne) {
   EXPECT_GT(cuts, 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, MigrationCutTest, testing::Values(1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(Formats, MigrationCutTest, testing::Values(1, 2, 3, 4));
 
 }  // namespace
 }  // namespace place_memory::core

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "core/store/format3_store.h"
+#include "core/store/later_store_fixture.h"
 #include "core/store/old_store_fixture.h"
 #include "core/store/scans_fixture.h"
 #include "core/store/unfinished_change.h"
@@ -104,6 +104,8 @@ void writeStores(const std::string& folder) {
   }
   fs::copy_file(path, folder + "/format-3");
   core::makeFormat3(folder + "/format-3");
+  fs::copy_file(path, folder + "/format-4");
+  core::makeFormat4(folder + "/format-4");
   fs::copy_file(path, folder + "/hot");
   core::leaveUnfinished(folder + "/hot",
                         "UPDATE store SET map_version = 3; UPDATE place SET label = 'x' || label");

@@ -4,10 +4,12 @@
 #include <chrono>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "core/index/place_index.h"
 #include "core/memory/whereabouts.h"
+#include "core/route/route_planner.h"
 #include "core/store/place_store.h"
 #include "place_memory/core/place_map.h"
 #include "place_memory/core/place_memory.h"
@@ -16,18 +18,21 @@ namespace place_memory::core {
 
 /// What everybody reads, each time for a moment.
 struct MemoryState {
-  mutable std::mutex mutex;  ///< guards all the others
+  mutable std::mutex mutex;  ///< guards map, index and whereabouts
   PlaceMap map;
   PlaceIndex index;
   WhereaboutsOwner whereabouts;
+  /// Guards routes; the map does not change while it is held. To be locked before `mutex`.
+  std::mutex routes_mutex;
+  RoutePlanner routes;
 
   /// As the store has them; `progress` is told how far reading has come.
-  MemoryState(const PlaceStore& store, bool located);
+  MemoryState(const PlaceStore& store, bool located, const LinkLearningOptions& links);
 };
 
 /// Makes changes of the map: in store, map, index and whereabouts together, or in none of them.
 ///
-/// All but listen(), watch() and health() is for one thread, which alone changes the map: it may
+/// All but listen(), watch(), health() and now() is for one thread, which alone changes the map: it may
 /// read MemoryState::map without the mutex.
 class MapWriter {
  public:
@@ -46,17 +51,28 @@ class MapWriter {
   }
 
   /// Makes the edits one change; without an edit there is none. `settle`, where given, runs in the
-  /// moment in which everybody sees the change. Then listeners are told. Throws PlaceMemoryError
-  /// where the store fails, and std::invalid_argument where the edits do not fit the map; nothing
-  /// is changed then.
-  void commit(std::vector<MapEdit> edits, const std::function<void()>& settle = nullptr);
+  /// moment in which everybody sees the change. Then listeners are told. The history has the change
+  /// under `words`, or where there are none as editsInWords() has it. Throws PlaceMemoryError where
+  /// the store fails, and std::invalid_argument where the edits do not fit the map; nothing is
+  /// changed then.
+  void commit(std::vector<MapEdit> edits, const std::function<void()>& settle = nullptr,
+              const std::string& words = "");
+
+  /// Takes back the newest changes of the history, all in one change, and returns them. Throws
+  /// PlaceMemoryError; nothing is changed then.
+  std::vector<PastChange> undo(std::size_t count);
 
   void listen(PlaceMemory::Listener listener);
   void watch(PlaceMemory::HealthListener listener);
   StoreHealth health() const;
+  std::chrono::nanoseconds now() const { return clock_(); }
 
  private:
-  void keep(const MapChange& change);
+  MapChange changeOf(std::vector<MapEdit> edits) const;
+  HistoryEdit historyOf(const MapChange& change, const std::string& words) const;
+  void make(const MapChange& change, const HistoryEdit& history,
+            const std::function<void()>& settle);
+  void keep(const MapChange& change, const HistoryEdit& history);
   void apply(const MapChange& change, const std::function<void()>& settle);
   [[noreturn]] void refuse(const StoreError& error);
   void report(const std::string& problem);

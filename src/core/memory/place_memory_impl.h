@@ -12,6 +12,7 @@
 #include "core/memory/change_queue.h"
 #include "core/memory/learned_scans.h"
 #include "core/memory/map_writer.h"
+#include "core/memory/store_merge.h"
 #include "core/memory/whereabouts.h"
 #include "core/recognize/recognizer.h"
 #include "core/store/place_store.h"
@@ -20,7 +21,8 @@
 namespace place_memory::core {
 
 /// What PlaceMemory does, by the names that it has there. Learning is in place_learning.cpp,
-/// recognizing in place_recognition.cpp, the rest in place_memory.cpp.
+/// recognizing in place_recognition.cpp, routes in place_routes.cpp, what comes from or goes to
+/// other stores, and undoing, in map_travel.cpp, the rest in place_memory.cpp.
 class PlaceMemory::Impl {
  public:
   Impl(const PlaceMemoryOptions& options, PlaceStore store);
@@ -33,7 +35,17 @@ class PlaceMemory::Impl {
   void remove(const std::string& label);
   std::size_t clear();
   EvidenceGrid grid(PlaceId id);
+  void save(const std::string& path);
+  std::size_t load(const std::string& path);
+  MergeReport merge(const std::string& path);
+  std::vector<PastChange> history(std::size_t most);
+  std::vector<PastChange> undo(std::size_t count);
   void forgetWhereabouts();
+  RoutePlan plan(const RouteQuery& query);
+  void reportTraversal(const Traversal& traversal);
+  void setLink(PlaceId from, PlaceId to, LinkOrder order, double toll, bool both_ways);
+  std::pair<double, double> linkOdds(PlaceId first, PlaceId second);
+  std::vector<Traversal> traversals();
 
   MapWriter& writer() { return writer_; }
 
@@ -57,6 +69,7 @@ class PlaceMemory::Impl {
     PlaceId place = kNoPlace;  ///< RECOGNIZED
     Settled settled;
     std::chrono::nanoseconds scan_end{0};
+    std::optional<Traversal> came;  ///< from the place where it was before to this one
     std::optional<EvidenceGrid> sensed;  ///< in the place's frame; none: the place does not adapt
     double retention = 0.0;              ///< of the old evidence in that place
   };
@@ -77,9 +90,19 @@ class PlaceMemory::Impl {
   // For works of the queue.
   Learned learnNow(const Scan& scan, const std::string& label, std::uint64_t question);
   void follow(const Following& following, Answer& answer);
+  /// Of the places of another store in the map as it is.
+  std::vector<MergeSighting> sightingsOf(const PlaceMap& theirs, const PlaceStore& store) const;
   std::size_t join(const SessionJoin& join, std::vector<MapEdit>& edits) const;
   void traverse(const Following& following, std::vector<MapEdit>& edits) const;
+  /// Where the two places are linked.
+  std::optional<LinkLearned> learnedBy(const Traversal& traversal) const;
   bool fold(const Following& following, std::vector<MapEdit>& edits);
+
+  /// The way from where the robot stood last; for the holder of state_.mutex.
+  Traversal wayTo(const Scan& scan, PlaceId from, PlaceId to) const;
+  /// Of a query, for the holder of routes_mutex.
+  const Place* placeAt(const RouteEnd& end, SessionId session) const;
+  std::vector<RouteStart> startsOf(const RouteQuery& query) const;
 
   const double cell_size_;
   const bool located_;
@@ -88,7 +111,15 @@ class PlaceMemory::Impl {
   mutable std::mutex tuning_mutex_;
   Tuning tuning_;
 
+  /// Where the robot stood last, and when it had done there.
+  struct Stood {
+    PlaceId place = kNoPlace;
+    std::chrono::nanoseconds until{0};
+  };
+
   MemoryState state_;
+  Stood stood_;  ///< guarded by state_.mutex
+  const LinkLearningOptions links_;
 
   // For works of the queue, which alone change state_.map.
   MapWriter writer_;
@@ -105,6 +136,11 @@ const Place& findPlace(const PlaceMap& map, const std::string& label);
 std::string newLabel(const PlaceMap& map, const std::string& wanted);
 /// Throws PlaceMemoryError.
 [[noreturn]] void refuseLabel();
+/// Where these places lie; nothing where one of them is gone.
+std::optional<std::vector<PlaceFrame>> framesOf(const std::vector<PlaceId>& places,
+                                                const PlaceMap& map);
+/// In words, also where it is no place of the map.
+std::string called(const PlaceMap& map, PlaceId id);
 
 }  // namespace place_memory::core
 

@@ -11,6 +11,7 @@
 
 #include "core/store/place_ids.h"
 #include "core/store/sqlite.h"
+#include "core/store/store_copy.h"
 #include "core/store/store_file.h"
 #include "core/store/store_head.h"
 #include "core/store/store_migration.h"
@@ -49,7 +50,7 @@ class PlaceStore::Impl {
     return scans;
   }
 
-  void commit(const MapChange& change, const KeptMap* scans) {
+  void commit(const MapChange& change, const KeptMap* scans, const HistoryEdit* history) {
     resume();
     StoreHead head = head_;
     head.version = change.version;
@@ -63,6 +64,7 @@ class PlaceStore::Impl {
       for (const MapEdit& edit : change.edits) std::visit(writer, edit);
       writer.finish();
       if (scans != nullptr) writeScans(*database_, *scans, head);
+      if (history != nullptr) writeHistory(*database_, *history, head);
       writeHead(*database_, head);
       transaction.commit();
     } catch (const SqliteError& error) {
@@ -90,7 +92,13 @@ class PlaceStore::Impl {
     }
   }
 
+  SqliteDatabase& database() {
+    reader();
+    return *database_;
+  }
+
   const std::string& path() const { return path_; }
+  double cellSize() const { return cell_size_; }
   const std::string& whyReadOnly() const { return why_read_only_; }
   const Damages& damages() const { return damages_; }
   const StoreHead& head() const { return head_; }
@@ -134,12 +142,14 @@ class PlaceStore::Impl {
     labels_.clear();
     for (const Place& place : opened_->places) labels_.add(place.label);
     are_labels_known_ = true;
-    StoreTotals found;  // of what belongs to the drives
+    StoreTotals found;  // of what belongs to the drives, and of the history
     if (check_all || !head) {
       reader_->forEachPlanes(ids_, nullptr, [](PlaceId, const CellPlanes&) {});
       reader_->forEachGrid(ids_, [](PlaceId, const EvidenceGrid&) {});
       reader_->checkReadings();
+      reader_->traversals();
       readScans(database, head ? &head_ : nullptr, damages_, found);
+      checkHistory(database, head ? &head_ : nullptr, damages_, found);
     }
     if (!head) makeHead(found);
   }
@@ -150,7 +160,8 @@ class PlaceStore::Impl {
     head_.identity = makeIdentity();
     head_.cell_size = cell_size_;
     head_.totals = reader_->found();
-    for (const StoreTable table : {StoreTable::kNode, StoreTable::kTie, StoreTable::kWheels}) {
+    for (const StoreTable table :
+         {StoreTable::kNode, StoreTable::kTie, StoreTable::kWheels, StoreTable::kHistory}) {
       head_.totals.of(table) = of_scans.of(table);
     }
     head_.next_place = reader_->highestId() + 1;
@@ -218,7 +229,6 @@ class PlaceStore::Impl {
 
 PlaceStore::PlaceStore(const std::string& path, double cell_size, const StoreOpening& opening)
     : impl_(std::make_unique<Impl>(path, cell_size, opening)) {}
-
 PlaceStore::~PlaceStore() = default;
 PlaceStore::PlaceStore(PlaceStore&&) noexcept = default;
 PlaceStore& PlaceStore::operator=(PlaceStore&&) noexcept = default;
@@ -262,10 +272,27 @@ void PlaceStore::forEachPlanes(const std::function<void(PlaceId, const CellPlane
 }
 
 KeptMap PlaceStore::scans() const { return impl_->scans(); }
+std::vector<Traversal> PlaceStore::traversals() const { return impl_->reader().traversals(); }
 
-void PlaceStore::commit(const MapChange& change) { impl_->commit(change, nullptr); }
+void PlaceStore::commit(const MapChange& change) { impl_->commit(change, nullptr, nullptr); }
 void PlaceStore::commit(const MapChange& change, const KeptMap& scans) {
-  impl_->commit(change, &scans);
+  impl_->commit(change, &scans, nullptr);
+}
+
+void PlaceStore::commit(const MapChange& change, const HistoryEdit& history) {
+  impl_->commit(change, nullptr, &history);
+}
+
+std::vector<PastChange> PlaceStore::history(std::size_t most) const {
+  return readHistory(impl_->database(), most);
+}
+
+std::optional<std::vector<MapEdit>> PlaceStore::inverse(std::uint64_t version) const {
+  return readInverse(impl_->database(), version, impl_->cellSize());
+}
+
+void PlaceStore::saveAs(const std::string& path) const {
+  saveCopy(impl_->database(), storePath(path));
 }
 
 }  // namespace place_memory::core

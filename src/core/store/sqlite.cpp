@@ -41,15 +41,6 @@ void SqliteDatabase::execute(const std::string& sql) {
   }
 }
 
-void SqliteDatabase::copyFrom(const SqliteDatabase& other) {
-  sqlite3_backup* copy = sqlite3_backup_init(handle(), "main", other.handle(), "main");
-  const int result = copy == nullptr ? SQLITE_ERROR : sqlite3_backup_step(copy, -1);
-  if (copy != nullptr) sqlite3_backup_finish(copy);
-  if (result != SQLITE_DONE) {
-    throw SqliteError("place store " + path_ + ": " + sqlite3_errstr(result), result);
-  }
-}
-
 SqliteStatement::SqliteStatement(SqliteDatabase& database, const std::string& sql)
     : database_(database) {
   sqlite3_stmt* handle = nullptr;

@@ -50,9 +50,6 @@ class SqliteDatabase {
   /// Its errors name another file from now on: of which it holds what that one should.
   void standFor(const std::string& path) { path_ = path; }
 
-  /// Becomes, page by page, what the other one is.
-  void copyFrom(const SqliteDatabase& other);
-
  private:
   struct Close {
     void operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/store/store_copy.h"
 #include "core/store/store_journal.h"
 
 namespace place_memory::core {
@@ -47,7 +48,7 @@ std::unique_ptr<SqliteDatabase> undoneBy(const std::string& path, const fs::path
   SqliteDatabase undone(copy, false);
   SqliteStatement(undone, "SELECT count(*) FROM sqlite_master").run();
   auto database = std::make_unique<SqliteDatabase>(":memory:", true);
-  database->copyFrom(undone);
+  copyDatabase(undone, *database);
   database->standFor(path);
   return database;
 }

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/store/format3_store.h"
+#include "core/store/later_store_fixture.h"
 #include "core/store/scans_fixture.h"
-#include "core/store/store_fixture.h"
 
 namespace place_memory::core {
 namespace {
@@ -44,8 +43,6 @@ class StoreScansTest : public PlaceStoreTest {
     change.version = store.map().version() + 1;
     store.commit(change, scans);
   }
-
-  void makeFormat3() const { core::makeFormat3(path_); }
 };
 
 TEST_F(StoreScansTest, KeepsScansTiesAndErrorsOfTheWheels) {
@@ -131,7 +128,7 @@ TEST_F(StoreScansTest, AStoreOfFormat3IsBroughtToThisOneAndKeptBesideIt) {
   fill();
   const PlaceIdentity identity = open().identity();
   const std::vector<Place> places = open().map().places();
-  makeFormat3();
+  makeFormat3(path_);
   const std::string before = readFile(path_);
   std::string said;
   StoreOpening opening;
@@ -154,7 +151,7 @@ TEST_F(StoreScansTest, AStoreOfFormat3IsBroughtToThisOneAndKeptBesideIt) {
 
 TEST_F(StoreScansTest, AStoreOfFormat3WithOtherCellsIsLeftAsItIs) {
   fill();
-  makeFormat3();
+  makeFormat3(path_);
   const std::string before = readFile(path_);
   EXPECT_THROW(PlaceStore(path_, 2.0 * kDefaultCellSize), StoreError);
   EXPECT_EQ(readFile(path_), before);
@@ -163,7 +160,7 @@ TEST_F(StoreScansTest, AStoreOfFormat3WithOtherCellsIsLeftAsItIs) {
 
 TEST_F(StoreScansTest, ADamagedRowOfFormat3IsNamedAfterItWasBroughtOver) {
   fill();
-  makeFormat3();
+  makeFormat3(path_);
   runSql(path_, "UPDATE place SET x = 100 WHERE id = 2");
   const PlaceStore store = open();
   EXPECT_EQ(store.map().size(), 2U);
