@@ -15,6 +15,17 @@ def read(name):
         return file.read()
 
 
+def packages_of_setup(name):
+    array = re.search(rf"readonly {name}=\(\n(.*?)\n\)", read("scripts/setup"), re.DOTALL)
+    return set(array.group(1).split())
+
+
+def field(paragraph, name):
+    """Package names of a field of debian/control."""
+    text = re.search(rf"(?m)^{name}: (.*(?:\n .*)*)", paragraph).group(1)
+    return {entry.split()[0] for entry in text.split(",")}
+
+
 class PackageXmlTest(unittest.TestCase):
     def setUp(self):
         self.package = ElementTree.fromstring(read("package.xml"))
@@ -35,6 +46,20 @@ class PackageXmlTest(unittest.TestCase):
     def test_its_version_is_that_of_the_libraries(self):
         built = re.search(r"project\(place_memory VERSION ([0-9.]+)", read("CMakeLists.txt"))
         self.assertEqual(self.package.find("version").text, built.group(1))
+
+    def test_debian_packages_are_of_the_same_version(self):
+        newest = re.match(r"place-memory \(([0-9.]+)\)", read("debian/changelog"))
+        self.assertEqual(self.package.find("version").text, newest.group(1))
+
+    def test_debian_packages_depend_on_what_setup_installs(self):
+        source, package = read("debian/control").split("\n\n")[:2]
+        not_needed = {"build-essential",  # is always there
+                      "nlohmann-json3-dev",  # of the lab
+                      "libtf-dev", "tf-tools"}  # for people
+        built = packages_of_setup("build_packages") - not_needed
+        self.assertEqual(built - field(source, "Build-Depends"), set())
+        run = packages_of_setup("run_packages") - not_needed
+        self.assertEqual(run - field(package, "Depends"), set())
 
 
 if __name__ == "__main__":
