@@ -1,5 +1,6 @@
 #include "config/load_parameters.h"
 
+#include <filesystem>
 #include <set>
 #include <sstream>
 
@@ -110,6 +111,14 @@ void readPlaces(ParameterReader& reader, core::AdaptationOptions& places) {
   reader.number("places/retention", {0.0, 1.0, true, false}, places.retention);
 }
 
+void readMap(ParameterReader& reader, FusedMapOptions& map) {
+  reader.number("map/resolution", closed(0.01, 1.0), map.resolution);
+  reader.integer("map/max_cells", closed(4e6, 4e8), map.max_cells);
+  reader.number("map/occupied", open(0.0, 1.0), map.occupied);
+  reader.number("map/empty", open(0.0, 1.0), map.empty);
+  reader.number("map/pause", closed(0.1, kLongest), map.pause);
+}
+
 Parameters readAll(ParameterReader& reader) {
   Parameters parameters;
   readFrame(reader, "odom_frame", true, parameters.odom_frame);
@@ -121,6 +130,11 @@ Parameters readAll(ParameterReader& reader) {
   reader.text("odom_topic", checkOptionalTopic, parameters.odom_topic);
   reader.text("store", checkStorePath, parameters.store);
   parameters.store = absoluteStorePath(parameters.store);
+  reader.text("store_directory", checkStorePath, parameters.store_directory);
+  parameters.store_directory = absoluteStorePath(parameters.store_directory);
+  if (parameters.store_directory.empty() && !parameters.store.empty()) {
+    parameters.store_directory = std::filesystem::path(parameters.store).parent_path().string();
+  }
   reader.number("time_jump_tolerance", closed(0.0, 60.0), parameters.time_jump_tolerance);
   reader.number("grid/cell_size", closed(0.001, 100.0), parameters.grid.cell_size);
   readSonar(reader, parameters.sonar);
@@ -128,6 +142,7 @@ Parameters readAll(ParameterReader& reader) {
   readScan(reader, parameters.scan);
   readMatch(reader, parameters.match);
   readPlaces(reader, parameters.places);
+  readMap(reader, parameters.map);
   reader.integer("markers/labels", closed(0, 10000), parameters.markers.labels);
   return parameters;
 }
@@ -140,6 +155,9 @@ void checkTogether(const Parameters& parameters, std::vector<std::string>& probl
     text << "sonar: must be ascending: empty (" << sonar.empty << "), prior (" << sonar.prior
          << "), occupied (" << sonar.occupied << ")";
     problems.push_back(text.str());
+  }
+  if (parameters.map.empty >= parameters.map.occupied) {
+    problems.push_back("map/empty: must be below map/occupied");
   }
   const std::set<std::string> topics(parameters.sonar_topics.begin(),
                                      parameters.sonar_topics.end());

@@ -67,6 +67,15 @@ struct MatchOptions {
   core::RecognizerOptions recognizer;  ///< with what that preset holds
 };
 
+/// The building's map (nav_msgs/OccupancyGrid).
+struct FusedMapOptions {
+  double resolution = 0.05;    ///< side of a cell [m]
+  int max_cells = 16'000'000;  ///< of the box that is mapped
+  double occupied = 0.65;      ///< probability from which a cell is occupied
+  double empty = 0.196;        ///< up to which it is empty; what lies between is unknown
+  double pause = 1.0;          ///< between two maps [s], at least
+};
+
 /// What is drawn for rviz.
 struct MarkerOptions {
   int labels = 100;
@@ -82,6 +91,8 @@ struct Parameters {
   std::string heading_topic = "heading";  ///< empty: no compass, odometry's yaw is used
   std::string odom_topic;  ///< of nav_msgs/Odometry where nothing broadcasts tf; empty: none
   std::string store;       ///< path; empty: in memory only
+  /// Below it lie the files that services write and read; empty: there are none.
+  std::string store_directory;
   double time_jump_tolerance = 1.0;  ///< [s]
 
   core::GridGeometry grid;
@@ -93,6 +104,7 @@ struct Parameters {
   ScanOptions scan;
   MatchOptions match;
   core::AdaptationOptions places;
+  FusedMapOptions map;
   MarkerOptions markers;
 };
 

@@ -51,6 +51,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       scan_grid_(private_names_.advertise<nav_msgs::OccupancyGrid>(kScanGridTopic, 1, true)),
       answer_publisher_(private_names_, *memory_, parameters_),
       map_publisher_(private_names_, *memory_, parameters_, [this] { return locateRobot(); }),
+      fused_map_publisher_(private_names_, *memory_, parameters_),
       map_frame_broadcaster_(names_, *memory_, parameters_),
       scan_server_(names_, private_names_, parameters_, buffer_, transforms_, scanCallbacks()),
       live_parameters_(withQueue(private_names_, queue_), parameters_,
@@ -60,7 +61,8 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
                        }),
       diagnostics_(names_, private_names_),
       services_(private_names_,
-                {*memory_, answer_publisher_, scans_, examiner_, parameters_, store_problem_}) {
+                {*memory_, answer_publisher_, scans_, examiner_, parameters_, store_problem_}),
+      store_services_(private_names_, *memory_, answer_publisher_, parameters_) {
   setUpDiagnostics();
   sayWhatIsKnown();
 }
@@ -72,6 +74,8 @@ void PlaceMemoryNode::setUpDiagnostics() {
     diagnoseMemory(memory_->size(), memory_->storeHealth(), parameters_.store, store_problem_,
                    status);
   });
+  diagnostics_.add("building map",
+                   [this](Status& status) { fused_map_publisher_.diagnose(status); });
   diagnostics_.add("sensors",
                    [this](Status& status) { diagnoseSonars(scan_server_.health(), status); });
   diagnostics_.add("sensor doctor", [this](Status& status) {

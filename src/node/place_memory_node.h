@@ -15,9 +15,11 @@
 #include "node/answer/answer_publisher.h"
 #include "node/answer/kept_scans.h"
 #include "node/answer/place_services.h"
+#include "node/answer/store_services.h"
 #include "node/base/guarded_queue.h"
 #include "node/input/transform_input.h"
 #include "node/live_parameters.h"
+#include "node/map/fused_map_publisher.h"
 #include "node/map/map_frame_broadcaster.h"
 #include "node/map/map_publisher.h"
 #include "node/scan/scan_server.h"
@@ -64,6 +66,7 @@ class PlaceMemoryNode {
   ros::Publisher scan_grid_;
   AnswerPublisher answer_publisher_;
   MapPublisher map_publisher_;
+  FusedMapPublisher fused_map_publisher_;
   MapFrameBroadcaster map_frame_broadcaster_;
   ScanServer scan_server_;
   LiveParameters live_parameters_;
@@ -71,7 +74,8 @@ class PlaceMemoryNode {
   ros::SteadyTimer diagnostics_timer_;
   ros::SteadyTimer health_timer_;
   int ticks_without_time_ = 0;
-  PlaceServices services_;  ///< ends first: all changes come from there
+  PlaceServices services_;
+  StoreServices store_services_;  ///< these two end first: all changes come from them
 };
 
 }  // namespace place_memory::node

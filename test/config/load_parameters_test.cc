@@ -68,6 +68,11 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_EQ(a.places.enabled, b.places.enabled);
   EXPECT_EQ(a.places.retention, b.places.retention);
   EXPECT_EQ(a.markers.labels, b.markers.labels);
+  EXPECT_EQ(a.map.resolution, b.map.resolution);
+  EXPECT_EQ(a.map.max_cells, b.map.max_cells);
+  EXPECT_EQ(a.map.occupied, b.map.occupied);
+  EXPECT_EQ(a.map.empty, b.map.empty);
+  EXPECT_EQ(a.map.pause, b.map.pause);
 }
 
 TEST(LoadParameters, FileOfDefaultsHoldsTheDefaults) {

@@ -13,6 +13,8 @@
 
 #include "place_memory/core/adaptation_options.h"
 #include "place_memory/core/map_change.h"
+#include "place_memory/core/map_history.h"
+#include "place_memory/core/merge_report.h"
 #include "place_memory/core/recognition.h"
 #include "place_memory/core/recognizer_options.h"
 #include "place_memory/core/scan.h"
@@ -36,6 +38,9 @@ class PLACE_MEMORY_PUBLIC PlaceMemoryError : public std::runtime_error {
     kDoubtfulScan,    ///< something speaks against the scan (Scan::doubt)
     kStoreFailed,     ///< the store could not be read or written; the memory is as it was
     kNoEcho,          ///< no echo lies in the scan's grid: nothing could be recognized by it
+    kOtherStore,      ///< another store's file could not be read; the memory is as it was
+    kNothingToUndo,   ///< the history is shorter than that
+    kCannotUndo,      ///< the map has changed since, or what was there was too much to be kept
   };
 
   PlaceMemoryError(Reason reason, const std::string& what)
@@ -139,6 +144,27 @@ class PLACE_MEMORY_PUBLIC PlaceMemory {
   void remove(const std::string& label);
   /// Removes every place and returns how many there were. Throws PlaceMemoryError.
   std::size_t clear();
+
+  /// Writes a store's file with all that is known: a sound copy, whatever happens meanwhile. A
+  /// store that has the name already goes. Throws PlaceMemoryError (kStoreFailed).
+  void save(const std::string& path) const;
+  /// Puts the places of another store into the place of those that are known, and returns how many
+  /// there are. They get new ids; labels and identities stay. Where the robot is is not known then.
+  /// The scans between places that a drive left in that store are not among them. Throws
+  /// PlaceMemoryError (kOtherStore, kStoreFailed).
+  std::size_t load(const std::string& path);
+  /// Takes in the places of another store, of this robot or of another one. A session of it lies
+  /// where most of its places are that are recognized, or known by identity; one of which too few
+  /// are stays a session of its own. Throws PlaceMemoryError (kOtherStore, kStoreFailed).
+  MergeReport merge(const std::string& path);
+
+  /// The newest changes that can be taken back, newest first, no more than `most`. Counting the
+  /// traversals of links is no change here. Throws PlaceMemoryError.
+  std::vector<PastChange> history(std::size_t most) const;
+  /// Takes back the newest `count` changes of the history: all or none. They leave the history, and
+  /// taking back is no change in it. Returns them, newest first. Throws PlaceMemoryError
+  /// (kNothingToUndo, kCannotUndo, kStoreFailed).
+  std::vector<PastChange> undo(std::size_t count = 1);
 
   /// Number of places.
   std::size_t size() const;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 namespace place_memory::core {
 namespace {
@@ -23,6 +24,23 @@ std::array<double, 9> turned(const std::array<double, 9>& covariance, double yaw
   Eigen::Map<RowMajor>(result.data()) =
       turn * Eigen::Map<const RowMajor>(covariance.data()) * turn.transpose();
   return result;
+}
+
+PlaceLink seenFromSecond(const PlaceLink& link) {
+  PlaceLink seen = link;
+  std::swap(seen.first, seen.second);
+  std::swap(seen.forward, seen.backward);
+  seen.first_from_second = link.first_from_second.inverse();
+  const Pose2d& back = seen.first_from_second;
+  // How the inverse follows small errors of the pose.
+  RowMajor jacobian = RowMajor::Identity();
+  jacobian.topLeftCorner<2, 2>() =
+      Eigen::Rotation2Dd(-link.first_from_second.yaw).toRotationMatrix();
+  jacobian(0, 2) = -back.y;
+  jacobian(1, 2) = back.x;
+  Eigen::Map<RowMajor>(seen.covariance.data()) =
+      jacobian * Eigen::Map<const RowMajor>(link.covariance.data()) * jacobian.transpose();
+  return seen;
 }
 
 PlaceLink linkTo(PlaceId place, const Pose2d& odom_from_place, const Stand& from, bool located,

@@ -13,6 +13,9 @@ namespace place_memory::core {
 /// [rad].
 std::array<double, 9> turned(const std::array<double, 9>& covariance, double yaw);
 
+/// The same link with its ends exchanged.
+PlaceLink seenFromSecond(const PlaceLink& link);
+
 /// The link that the robot came along: from where it stood to a place that it learned at `arrived`,
 /// and that has the higher id. Its pose and covariance are those that PlaceLink states; `located`
 /// false: there is no odometry.

@@ -1,6 +1,11 @@
 #include "core/memory/map_writer.h"
 
+#include <iterator>
+#include <stdexcept>
 #include <utility>
+
+#include "core/map/change_words.h"
+#include "core/map/inverse_change.h"
 
 namespace place_memory::core {
 namespace {
@@ -44,11 +49,74 @@ MapWriter::MapWriter(PlaceStore store, MemoryState& state, Clock clock)
   report(store_.whyReadOnly());
 }
 
-void MapWriter::commit(std::vector<MapEdit> edits, const std::function<void()>& settle) {
-  if (edits.empty()) return;
-  const MapChange change{state_.map.version() + 1, clock_(), std::move(edits)};
+MapChange MapWriter::changeOf(std::vector<MapEdit> edits) const {
+  MapChange change{state_.map.version() + 1, clock_(), std::move(edits)};
   state_.map.check(change);
-  keep(change);
+  return change;
+}
+
+HistoryEdit MapWriter::historyOf(const MapChange& change, const std::string& words) const {
+  HistoryEdit history;
+  const std::string said = words.empty() ? editsInWords(change.edits, state_.map) : words;
+  if (said.empty()) return history;
+  HistoryEdit::Row row{{change.version, change.stamp, said, false}, {}};
+  try {
+    auto inverse = inverseOf(change.edits, state_.map,
+                             {[this](PlaceId id) { return store_.grid(id); },
+                              [this](PlaceId id) { return store_.readings(id); }},
+                             kMostInverseBytes);
+    row.change.can_be_undone = inverse.has_value();
+    if (inverse) row.inverse = std::move(*inverse);
+  } catch (const StoreError&) {
+    // What is damaged cannot be brought back, but it may go.
+  }
+  history.add = std::move(row);
+  return history;
+}
+
+void MapWriter::commit(std::vector<MapEdit> edits, const std::function<void()>& settle,
+                       const std::string& words) {
+  if (edits.empty()) return;
+  const MapChange change = changeOf(std::move(edits));
+  make(change, historyOf(change, words), settle);
+}
+
+std::vector<PastChange> MapWriter::undo(std::size_t count) {
+  using Reason = PlaceMemoryError::Reason;
+  const std::vector<PastChange> changes =
+      query([count](PlaceStore& store) { return store.history(count); });
+  if (changes.size() < count) {
+    throw PlaceMemoryError(Reason::kNothingToUndo, changes.empty()
+                                                       ? "there is no change in the history"
+                                                       : "there are no more than " +
+                                                             std::to_string(changes.size()) +
+                                                             " changes in the history");
+  }
+  std::vector<MapEdit> edits;
+  HistoryEdit history;
+  for (const PastChange& change : changes) {
+    auto inverse = query([&change](PlaceStore& store) { return store.inverse(change.version); });
+    if (!inverse) {
+      throw PlaceMemoryError(Reason::kCannotUndo,
+                             "what was there before this change was too much to be kept, or is "
+                             "damaged: " +
+                                 change.words);
+    }
+    std::move(inverse->begin(), inverse->end(), std::back_inserter(edits));
+    history.remove.push_back(change.version);
+  }
+  try {
+    make(changeOf(std::move(edits)), history, nullptr);
+  } catch (const std::invalid_argument& error) {
+    throw PlaceMemoryError(Reason::kCannotUndo,
+                           std::string("the map has changed since: ") + error.what());
+  }
+  return changes;
+}
+
+void MapWriter::make(const MapChange& change, const HistoryEdit& history,
+                     const std::function<void()>& settle) {
+  keep(change, history);
   apply(change, settle);
   std::vector<PlaceMemory::Listener> listeners;
   {
@@ -58,9 +126,9 @@ void MapWriter::commit(std::vector<MapEdit> edits, const std::function<void()>& 
   tell(listeners, change);
 }
 
-void MapWriter::keep(const MapChange& change) {
+void MapWriter::keep(const MapChange& change, const HistoryEdit& history) {
   try {
-    store_.commit(change);
+    store_.commit(change, history);
   } catch (const StoreError& error) {
     report(error.what());
     refuse(error);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "core/index/place_index.h"
@@ -46,17 +47,27 @@ class MapWriter {
   }
 
   /// Makes the edits one change; without an edit there is none. `settle`, where given, runs in the
-  /// moment in which everybody sees the change. Then listeners are told. Throws PlaceMemoryError
-  /// where the store fails, and std::invalid_argument where the edits do not fit the map; nothing
-  /// is changed then.
-  void commit(std::vector<MapEdit> edits, const std::function<void()>& settle = nullptr);
+  /// moment in which everybody sees the change. Then listeners are told. The history has the change
+  /// under `words`, or where there are none as editsInWords() has it. Throws PlaceMemoryError where
+  /// the store fails, and std::invalid_argument where the edits do not fit the map; nothing is
+  /// changed then.
+  void commit(std::vector<MapEdit> edits, const std::function<void()>& settle = nullptr,
+              const std::string& words = "");
+
+  /// Takes back the newest changes of the history, all in one change, and returns them. Throws
+  /// PlaceMemoryError; nothing is changed then.
+  std::vector<PastChange> undo(std::size_t count);
 
   void listen(PlaceMemory::Listener listener);
   void watch(PlaceMemory::HealthListener listener);
   StoreHealth health() const;
 
  private:
-  void keep(const MapChange& change);
+  MapChange changeOf(std::vector<MapEdit> edits) const;
+  HistoryEdit historyOf(const MapChange& change, const std::string& words) const;
+  void make(const MapChange& change, const HistoryEdit& history,
+            const std::function<void()>& settle);
+  void keep(const MapChange& change, const HistoryEdit& history);
   void apply(const MapChange& change, const std::function<void()>& settle);
   [[noreturn]] void refuse(const StoreError& error);
   void report(const std::string& problem);

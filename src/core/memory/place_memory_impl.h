@@ -12,6 +12,7 @@
 #include "core/memory/change_queue.h"
 #include "core/memory/learned_scans.h"
 #include "core/memory/map_writer.h"
+#include "core/memory/store_merge.h"
 #include "core/memory/whereabouts.h"
 #include "core/recognize/recognizer.h"
 #include "core/store/place_store.h"
@@ -20,7 +21,8 @@
 namespace place_memory::core {
 
 /// What PlaceMemory does, by the names that it has there. Learning is in place_learning.cpp,
-/// recognizing in place_recognition.cpp, the rest in place_memory.cpp.
+/// recognizing in place_recognition.cpp, what comes from or goes to other stores, and undoing, in
+/// map_travel.cpp, the rest in place_memory.cpp.
 class PlaceMemory::Impl {
  public:
   Impl(const PlaceMemoryOptions& options, PlaceStore store);
@@ -33,6 +35,11 @@ class PlaceMemory::Impl {
   void remove(const std::string& label);
   std::size_t clear();
   EvidenceGrid grid(PlaceId id);
+  void save(const std::string& path);
+  std::size_t load(const std::string& path);
+  MergeReport merge(const std::string& path);
+  std::vector<PastChange> history(std::size_t most);
+  std::vector<PastChange> undo(std::size_t count);
   void forgetWhereabouts();
 
   MapWriter& writer() { return writer_; }
@@ -77,6 +84,8 @@ class PlaceMemory::Impl {
   // For works of the queue.
   Learned learnNow(const Scan& scan, const std::string& label, std::uint64_t question);
   void follow(const Following& following, Answer& answer);
+  /// Of the places of another store in the map as it is.
+  std::vector<MergeSighting> sightingsOf(const PlaceMap& theirs, const PlaceStore& store) const;
   std::size_t join(const SessionJoin& join, std::vector<MapEdit>& edits) const;
   void traverse(const Following& following, std::vector<MapEdit>& edits) const;
   bool fold(const Following& following, std::vector<MapEdit>& edits);
@@ -105,6 +114,9 @@ const Place& findPlace(const PlaceMap& map, const std::string& label);
 std::string newLabel(const PlaceMap& map, const std::string& wanted);
 /// Throws PlaceMemoryError.
 [[noreturn]] void refuseLabel();
+/// Where these places lie; nothing where one of them is gone.
+std::optional<std::vector<PlaceFrame>> framesOf(const std::vector<PlaceId>& places,
+                                                const PlaceMap& map);
 
 }  // namespace place_memory::core
 

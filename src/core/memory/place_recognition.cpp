@@ -22,18 +22,6 @@ std::optional<std::vector<std::string>> labelsOf(const std::vector<PlaceMatch>& 
   return labels;
 }
 
-std::optional<std::vector<PlaceFrame>> framesOf(const std::vector<PlaceId>& places,
-                                                const PlaceMap& map) {
-  std::vector<PlaceFrame> frames;
-  frames.reserve(places.size());
-  for (const PlaceId id : places) {
-    const Place* place = map.find(id);
-    if (place == nullptr) return std::nullopt;
-    frames.push_back({place->map_from_place, place->session});
-  }
-  return frames;
-}
-
 bool liesAt(const Place& place, const PlaceFrame& frame) {
   return place.map_from_place == frame.map_from_place && place.session == frame.session;
 }
@@ -45,6 +33,18 @@ void moveWith(const SessionJoin& join, Recognition& recognition) {
 }
 
 }  // namespace
+
+std::optional<std::vector<PlaceFrame>> framesOf(const std::vector<PlaceId>& places,
+                                                const PlaceMap& map) {
+  std::vector<PlaceFrame> frames;
+  frames.reserve(places.size());
+  for (const PlaceId id : places) {
+    const Place* place = map.find(id);
+    if (place == nullptr) return std::nullopt;
+    frames.push_back({place->map_from_place, place->session});
+  }
+  return frames;
+}
 
 PlaceMemory::Answer PlaceMemory::Impl::recognize(const Scan& scan,
                                                  std::optional<double> heading_window,

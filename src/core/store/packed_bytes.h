@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -28,6 +29,13 @@ class BytePacker {
     for (std::size_t i = 0; i < sizeof(Number); ++i) {
       bytes_.push_back(static_cast<unsigned char>(bits >> 8 * i & 0xffU));
     }
+    return *this;
+  }
+
+  /// With its length.
+  BytePacker& add(const std::string& text) {
+    add(static_cast<std::uint32_t>(text.size()));
+    bytes_.insert(bytes_.end(), text.begin(), text.end());
     return *this;
   }
 
@@ -64,6 +72,19 @@ class ByteUnpacker {
       number = static_cast<Number>(bits);
     }
     return number;
+  }
+
+  /// As BytePacker adds it.
+  std::string takeText() {
+    const std::size_t size = take<std::uint32_t>();
+    if (left_ < size) {
+      good_ = false;
+      return {};
+    }
+    const std::string text(next_, next_ + size);
+    next_ += size;
+    left_ -= size;
+    return text;
   }
 
   std::size_t left() const { return left_; }

@@ -6,11 +6,12 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
-#include <unordered_set>
 #include <utility>
 #include <variant>
 
+#include "core/store/place_ids.h"
 #include "core/store/sqlite.h"
+#include "core/store/store_copy.h"
 #include "core/store/store_file.h"
 #include "core/store/store_head.h"
 #include "core/store/store_migration.h"
@@ -20,39 +21,6 @@
 #include "core/store/store_writer.h"
 
 namespace place_memory::core {
-namespace {
-
-std::vector<PlaceId> idsOf(const std::vector<Place>& places) {
-  std::vector<PlaceId> ids;
-  ids.reserve(places.size());
-  for (const Place& place : places) ids.push_back(place.id);
-  return ids;
-}
-
-// What becomes of the ids, which rise, by a change.
-void follow(const MapChange& change, std::vector<PlaceId>& ids) {
-  std::unordered_set<PlaceId> removed;
-  for (const MapEdit& edit : change.edits) {
-    if (const auto* place = std::get_if<PlaceAdded>(&edit)) {
-      removed.erase(place->place.id);
-      ids.push_back(place->place.id);
-    } else if (const auto* gone = std::get_if<PlaceRemoved>(&edit)) {
-      removed.insert(gone->id);
-    } else if (std::holds_alternative<MapCleared>(edit)) {
-      ids.clear();
-      removed.clear();
-    }
-  }
-  if (!removed.empty()) {
-    ids.erase(std::remove_if(ids.begin(), ids.end(),
-                             [&removed](PlaceId id) { return removed.count(id) > 0; }),
-              ids.end());
-  }
-  if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-
-}  // namespace
 
 class PlaceStore::Impl {
  public:
@@ -82,7 +50,7 @@ class PlaceStore::Impl {
     return scans;
   }
 
-  void commit(const MapChange& change, const KeptMap* scans) {
+  void commit(const MapChange& change, const KeptMap* scans, const HistoryEdit* history) {
     resume();
     StoreHead head = head_;
     head.version = change.version;
@@ -94,6 +62,7 @@ class PlaceStore::Impl {
       for (const MapEdit& edit : change.edits) std::visit(writer, edit);
       writer.finish();
       if (scans != nullptr) writeScans(*database_, *scans, head);
+      if (history != nullptr) writeHistory(*database_, *history, head);
       writeHead(*database_, head);
       transaction.commit();
     } catch (const SqliteError& error) {
@@ -121,7 +90,13 @@ class PlaceStore::Impl {
     }
   }
 
+  SqliteDatabase& database() {
+    reader();
+    return *database_;
+  }
+
   const std::string& path() const { return path_; }
+  double cellSize() const { return cell_size_; }
   const std::string& whyReadOnly() const { return why_read_only_; }
   const Damages& damages() const { return damages_; }
   const StoreHead& head() const { return head_; }
@@ -164,12 +139,13 @@ class PlaceStore::Impl {
     labels_.clear();
     for (const Place& place : opened_->places) labels_.add(place.label);
     are_labels_known_ = true;
-    StoreTotals found;  // of what belongs to the drives
+    StoreTotals found;  // of what belongs to the drives, and of the history
     if (check_all || !head) {
       reader_->forEachPlanes(ids_, nullptr, [](PlaceId, const CellPlanes&) {});
       reader_->forEachGrid(ids_, [](PlaceId, const EvidenceGrid&) {});
       reader_->checkReadings();
       readScans(database, head ? &head_ : nullptr, damages_, found);
+      checkHistory(database, head ? &head_ : nullptr, damages_, found);
     }
     if (!head) makeHead(found);
   }
@@ -180,7 +156,8 @@ class PlaceStore::Impl {
     head_.identity = makeIdentity();
     head_.cell_size = cell_size_;
     head_.totals = reader_->found();
-    for (const StoreTable table : {StoreTable::kNode, StoreTable::kTie, StoreTable::kWheels}) {
+    for (const StoreTable table :
+         {StoreTable::kNode, StoreTable::kTie, StoreTable::kWheels, StoreTable::kHistory}) {
       head_.totals.of(table) = of_scans.of(table);
     }
     head_.next_place = reader_->highestId() + 1;
@@ -292,9 +269,25 @@ void PlaceStore::forEachPlanes(const std::function<void(PlaceId, const CellPlane
 
 KeptMap PlaceStore::scans() const { return impl_->scans(); }
 
-void PlaceStore::commit(const MapChange& change) { impl_->commit(change, nullptr); }
+void PlaceStore::commit(const MapChange& change) { impl_->commit(change, nullptr, nullptr); }
 void PlaceStore::commit(const MapChange& change, const KeptMap& scans) {
-  impl_->commit(change, &scans);
+  impl_->commit(change, &scans, nullptr);
+}
+
+void PlaceStore::commit(const MapChange& change, const HistoryEdit& history) {
+  impl_->commit(change, nullptr, &history);
+}
+
+std::vector<PastChange> PlaceStore::history(std::size_t most) const {
+  return readHistory(impl_->database(), most);
+}
+
+std::optional<std::vector<MapEdit>> PlaceStore::inverse(std::uint64_t version) const {
+  return readInverse(impl_->database(), version, impl_->cellSize());
+}
+
+void PlaceStore::saveAs(const std::string& path) const {
+  saveCopy(impl_->database(), storePath(path));
 }
 
 }  // namespace place_memory::core

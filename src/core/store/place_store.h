@@ -1,13 +1,17 @@
 #ifndef PLACE_MEMORY_CORE_STORE_PLACE_STORE_H
 #define PLACE_MEMORY_CORE_STORE_PLACE_STORE_H
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/grid/cell_planes.h"
 #include "core/map/kept_map.h"
+#include "core/store/store_history.h"
 #include "place_memory/core/evidence_grid.h"
 #include "place_memory/core/map_change.h"
 #include "place_memory/core/place_map.h"
@@ -75,6 +79,17 @@ class PlaceStore {
   void commit(const MapChange& change);
   /// The same, and `scans` take the place of those before.
   void commit(const MapChange& change, const KeptMap& scans);
+  /// The same, and the history follows.
+  void commit(const MapChange& change, const HistoryEdit& history);
+
+  /// The newest changes that commit() was told to put into the history, newest first, no more than
+  /// `most`. Throws StoreError.
+  std::vector<PastChange> history(std::size_t most) const;
+  /// What undoes the change of that version; nothing where it cannot be undone. Throws StoreError.
+  std::optional<std::vector<MapEdit>> inverse(std::uint64_t version) const;
+
+  /// Writes a file with all that is in the store; see saveCopy().
+  void saveAs(const std::string& path) const;
 
   /// The scans that were taken while the robot drove, and what ties them. Those that are damaged
   /// are left out, with their ties; those that were a place that is gone are no place.

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/store/old_store.h"
+#include "core/store/store_copy.h"
 #include "core/store/store_head.h"
 #include "core/store/store_schema.h"
 #include "core/store/store_writer.h"
@@ -23,12 +24,7 @@ void fold(const PlaceIdentity& identity, PlaceIdentity& into) {
 
 // What the tables hold stays as it is, damaged rows too: they are named when they are read.
 void copyFormat3(const SqliteDatabase& old, SqliteDatabase& database) {
-  sqlite3_backup* copy = sqlite3_backup_init(database.handle(), "main", old.handle(), "main");
-  const int result = copy == nullptr ? SQLITE_ERROR : sqlite3_backup_step(copy, -1);
-  if (copy != nullptr) sqlite3_backup_finish(copy);
-  if (result != SQLITE_DONE) {
-    throw SqliteError("place store " + database.path() + ": " + sqlite3_errstr(result), result);
-  }
+  copyDatabase(old, database);
   SqliteTransaction transaction(database);
   const std::optional<StoreHead> head = readHead(database, kStoreTablesOfFormat3);
   bringSchemaToFormat4(database);

@@ -233,12 +233,15 @@ void StoreWriter::operator()(const LinkLearned& edit) {
 }
 
 void StoreWriter::operator()(const MapCleared& /*edit*/) {
+  // The history stays: by it the places come back.
   for (const char* table :
-       {"place", "link", "grid", "planes", "readings", "node", "history", "tie", "wheels"}) {
+       {"place", "link", "grid", "planes", "readings", "node", "tie", "wheels"}) {
     database_.execute(std::string("DELETE FROM ") + table);
   }
   planes_.close();
+  const TableTotal history = head_.totals.of(StoreTable::kHistory);
   head_.totals = StoreTotals();
+  head_.totals.of(StoreTable::kHistory) = history;
   labels_.clear();
   removed_.clear();
 }

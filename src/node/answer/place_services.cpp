@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "node/answer/answer_words.h"
+#include "node/answer/guarded_service.h"
 #include "node/answer/service_status.h"
 #include "node/base/conversions.h"
 #include "node/base/node_names.h"
@@ -26,22 +27,6 @@ constexpr double kPiTolerance = 1e-3;
 
 constexpr char kNoTimeMessage[] =
     "use_sim_time is set, but no time has come on /clock yet: start what publishes it";
-
-// Whatever goes wrong is an answer, and ends nothing.
-template <class Response, class Answer>
-void guard(Response& response, const Answer& answer) {
-  try {
-    answer();
-  } catch (const core::PlaceMemoryError& error) {
-    response = Response();
-    response.status = toStatus<Response>(error.reason());
-    response.message = error.what();
-  } catch (const std::exception& error) {
-    response = Response();
-    response.status = Response::FAILED;
-    response.message = error.what();
-  }
-}
 
 // The scan that a client asks for; nullptr where there is none, which is then the answer.
 template <class Response>
@@ -66,16 +51,19 @@ PlaceServices::PlaceServices(const ros::NodeHandle& private_node, const Context&
       edit_spinner_(1, &edit_queue_) {
   ros::NodeHandle match_node(private_node);
   match_node.setCallbackQueue(&match_queue_);
-  advertise(match_node, kRecognizePlaceService, &PlaceServices::recognize);
+  servers_.push_back(
+      advertiseGuarded(match_node, kRecognizePlaceService, this, &PlaceServices::recognize));
 
   ros::NodeHandle edit_node(private_node);
   edit_node.setCallbackQueue(&edit_queue_);
-  advertise(edit_node, kLearnPlaceService, &PlaceServices::learn);
-  advertise(edit_node, kListPlacesService, &PlaceServices::list);
-  advertise(edit_node, kRenamePlaceService, &PlaceServices::rename);
-  advertise(edit_node, kRemovePlaceService, &PlaceServices::remove);
-  advertise(edit_node, kClearService, &PlaceServices::clear);
-  advertise(edit_node, kGetGraphService, &PlaceServices::getGraph);
+  servers_.push_back(advertiseGuarded(edit_node, kLearnPlaceService, this, &PlaceServices::learn));
+  servers_.push_back(advertiseGuarded(edit_node, kListPlacesService, this, &PlaceServices::list));
+  servers_.push_back(
+      advertiseGuarded(edit_node, kRenamePlaceService, this, &PlaceServices::rename));
+  servers_.push_back(
+      advertiseGuarded(edit_node, kRemovePlaceService, this, &PlaceServices::remove));
+  servers_.push_back(advertiseGuarded(edit_node, kClearService, this, &PlaceServices::clear));
+  servers_.push_back(advertiseGuarded(edit_node, kGetGraphService, this, &PlaceServices::getGraph));
 
   match_spinner_.start();
   edit_spinner_.start();
@@ -85,17 +73,6 @@ PlaceServices::~PlaceServices() {
   cancelled_ = true;
   match_spinner_.stop();
   edit_spinner_.stop();
-}
-
-template <class Request, class Response>
-void PlaceServices::advertise(ros::NodeHandle& node, const char* name,
-                              void (PlaceServices::*answer)(const Request&, Response&)) {
-  using Callback = boost::function<bool(Request&, Response&)>;
-  const Callback callback = [this, answer](Request& request, Response& response) {
-    guard(response, [&] { (this->*answer)(request, response); });
-    return true;
-  };
-  servers_.push_back(node.advertiseService(name, callback));
 }
 
 void PlaceServices::learn(const LearnPlace::Request& request, LearnPlace::Response& response) {

@@ -49,10 +49,6 @@ class PlaceServices {
   PlaceServices& operator=(const PlaceServices&) = delete;
 
  private:
-  template <class Request, class Response>
-  void advertise(ros::NodeHandle& node, const char* name,
-                 void (PlaceServices::*answer)(const Request&, Response&));
-
   void learn(const LearnPlace::Request& request, LearnPlace::Response& response);
   void recognize(const RecognizePlace::Request& request, RecognizePlace::Response& response);
   /// `window` as PlaceMemory::recognize() takes it.

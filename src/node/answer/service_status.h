@@ -2,10 +2,15 @@
 #define PLACE_MEMORY_NODE_ANSWER_SERVICE_STATUS_H
 
 #include <place_memory/Clear.h>
+#include <place_memory/Export.h>
 #include <place_memory/LearnPlace.h>
+#include <place_memory/Load.h>
+#include <place_memory/Merge.h>
 #include <place_memory/RecognizePlace.h>
 #include <place_memory/RemovePlace.h>
 #include <place_memory/RenamePlace.h>
+#include <place_memory/Save.h>
+#include <place_memory/Undo.h>
 
 #include <cstdint>
 
@@ -83,6 +88,40 @@ inline std::uint8_t toStatus<RemovePlace::Response>(core::PlaceMemoryError::Reas
   return reason == core::PlaceMemoryError::Reason::kUnknownPlace
              ? RemovePlace::Response::UNKNOWN_PLACE
              : RemovePlace::Response::STORE_FAILED;
+}
+
+template <>
+inline std::uint8_t toStatus<Save::Response>(core::PlaceMemoryError::Reason /*reason*/) {
+  return Save::Response::STORE_FAILED;
+}
+
+template <>
+inline std::uint8_t toStatus<Export::Response>(core::PlaceMemoryError::Reason /*reason*/) {
+  return Export::Response::STORE_FAILED;
+}
+
+template <>
+inline std::uint8_t toStatus<Load::Response>(core::PlaceMemoryError::Reason reason) {
+  return reason == core::PlaceMemoryError::Reason::kOtherStore ? Load::Response::UNREADABLE
+                                                               : Load::Response::STORE_FAILED;
+}
+
+template <>
+inline std::uint8_t toStatus<Merge::Response>(core::PlaceMemoryError::Reason reason) {
+  return reason == core::PlaceMemoryError::Reason::kOtherStore ? Merge::Response::UNREADABLE
+                                                               : Merge::Response::STORE_FAILED;
+}
+
+template <>
+inline std::uint8_t toStatus<Undo::Response>(core::PlaceMemoryError::Reason reason) {
+  switch (reason) {
+    case core::PlaceMemoryError::Reason::kNothingToUndo:
+      return Undo::Response::NOTHING;
+    case core::PlaceMemoryError::Reason::kCannotUndo:
+      return Undo::Response::CHANGED;
+    default:
+      return Undo::Response::STORE_FAILED;
+  }
 }
 
 /// Of LearnPlace and RecognizePlace.

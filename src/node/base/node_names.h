@@ -16,6 +16,8 @@ constexpr char kMatchedGridTopic[] = "matched_grid";
 constexpr char kMapChangesTopic[] = "map_changes";
 constexpr char kPlaceGraphTopic[] = "place_graph";
 constexpr char kPlaceMarkersTopic[] = "place_markers";
+constexpr char kMapTopic[] = "map";
+constexpr char kMapMetadataTopic[] = "map_metadata";
 constexpr char kRecognitionTopic[] = "recognition";
 constexpr char kCurrentPlaceTopic[] = "current_place";
 constexpr char kPoseTopic[] = "pose";
@@ -27,6 +29,12 @@ constexpr char kRenamePlaceService[] = "rename_place";
 constexpr char kRemovePlaceService[] = "remove_place";
 constexpr char kClearService[] = "clear";
 constexpr char kGetGraphService[] = "get_graph";
+constexpr char kSaveService[] = "save";
+constexpr char kLoadService[] = "load";
+constexpr char kMergeService[] = "merge";
+constexpr char kExportService[] = "export";
+constexpr char kUndoService[] = "undo";
+constexpr char kStaticMapService[] = "static_map";
 
 }  // namespace place_memory::node
 
