@@ -89,6 +89,7 @@ const std::map<std::string, Parts> kMayUse{
     {"lab/experiments", {"lab/trials"}},
     {"lab/benchmark", {"lab/trials", "google_benchmark"}},
     {"lab/mapping", {"lab/trials"}},
+    {"lab/reports", {"lab/trials"}},
 };
 
 /// Single files that may use more than their part, and why.
@@ -105,7 +106,7 @@ const std::vector<Rule>& headerRules() {
   static const std::vector<Rule> rules{
       {std::regex("(core|sim|node)/([a-z0-9_]+)/[a-z0-9_]+\\.h"), "$1/$2"},
       {std::regex("(config|sim_node|node|support|tools)/[a-z0-9_]+\\.h"), "$1"},
-      {std::regex("(trials|training|experiments)/[a-z0-9_]+\\.h"), "lab/$1"},
+      {std::regex("(trials|training|experiments|reports)/[a-z0-9_]+\\.h"), "lab/$1"},
       {std::regex("benchmark/benchmark\\.h"), "google_benchmark"},
       {std::regex("benchmark/[a-z0-9_]+\\.h"), "lab/benchmark"},
       {std::regex("embedded_presets\\.h"), "config"},  // generated

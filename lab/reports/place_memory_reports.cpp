@@ -1,0 +1,121 @@
+// Measures the reports of twins and of changes in simulated worlds.
+
+#include <boost/program_options.hpp>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "config/load_parameters.h"
+#include "reports/change_trial.h"
+#include "reports/twin_trial.h"
+#include "sim/building/building_generator.h"
+#include "sim/scene/world_loader.h"
+
+namespace po = boost::program_options;
+using namespace place_memory;
+
+namespace {
+
+constexpr std::uint64_t kFirstSeed = 9000;
+
+std::string share(std::size_t part, std::size_t whole) {
+  const double number = whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+  return std::to_string(part) + " of " + std::to_string(whole) + " (" + std::to_string(number) +
+         ")";
+}
+
+/// A building between two visits of one robot.
+trials::Recipe recipe() {
+  trials::Recipe recipe;
+  recipe.compass_error = core::kPi / 18.0;
+  recipe.doors_flipped = 0.3;
+  recipe.chairs_moved = 0.3;
+  recipe.people = 1;
+  recipe.shift = 0.3048;
+  return recipe;
+}
+
+void measureTwins(const po::variables_map& given, const config::Parameters& parameters) {
+  core::TwinOptions options;
+  options.most = given["most"].as<std::size_t>();
+  options.least_likeness = given["likeness"].as<double>();
+  reports::TwinScore score;
+  const auto seeds = given["seeds"].as<std::uint64_t>();
+  for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + seeds; ++seed) {
+    const sim::World world = given.count("world") > 0
+                                 ? sim::loadWorld(given["world"].as<std::string>())
+                                 : sim::generateBuilding(seed);
+    score.add(reports::tryTwins(world, recipe(), seed, parameters, options));
+  }
+  std::cout << "twins: " << score.twins << " of " << score.places
+            << " places; confusions: " << share(score.confusions, score.visits)
+            << "; named before: " << share(score.named, score.confusions) << '\n';
+}
+
+void measureChanges(const po::variables_map& given, const config::Parameters& parameters) {
+  core::GridChangeOptions options;
+  options.sure = given["sure"].as<int>();
+  options.slack = given["slack"].as<int>();
+  options.least_cells = given["cells"].as<std::size_t>();
+  reports::ChangeScore score;
+  const sim::World world = sim::loadWorld(given["world"].as<std::string>());
+  const auto seeds = given["seeds"].as<std::uint64_t>();
+  for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + seeds; ++seed) {
+    score.add(reports::tryChanges(world, seed, parameters, options));
+  }
+  std::cout << score.places
+            << " places; door states right: " << share(score.doors_right, score.doors)
+            << "; of the flipped: " << share(score.doors_flipped_right, score.doors_flipped)
+            << "; moved things seen: " << share(score.moved_seen, score.moved)
+            << "; false changes a place: " << share(score.false_changes, score.places) << '\n';
+}
+
+int run(const po::variables_map& given) {
+  const config::Parameters parameters =
+      config::loadParameters(given["params"].as<std::vector<std::string>>());
+  const auto what = given["what"].as<std::string>();
+  if (what == "twins") {
+    measureTwins(given, parameters);
+  } else if (what == "changes") {
+    measureChanges(given, parameters);
+  } else {
+    throw std::runtime_error("twins or changes, not '" + what + "'");
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const core::TwinOptions twins;
+    const core::GridChangeOptions changes;
+    po::options_description options("usage: place_memory_reports twins|changes [--world F.yaml]");
+    auto add = options.add_options();
+    add("help", "show this");
+    add("what", po::value<std::string>()->required(), "twins or changes");
+    add("world", po::value<std::string>(), "world file; twins without it: generated buildings");
+    add("params", po::value<std::vector<std::string>>()->default_value({}, "")->composing(),
+        "parameters");
+    add("seeds", po::value<std::uint64_t>()->default_value(20), "how many");
+    add("most", po::value<std::size_t>()->default_value(twins.most), "twins of one place");
+    add("likeness", po::value<double>()->default_value(twins.least_likeness), "of twins, least");
+    add("sure", po::value<int>()->default_value(changes.sure), "evidence of a change");
+    add("slack", po::value<int>()->default_value(changes.slack), "of a change [cells]");
+    add("cells", po::value<std::size_t>()->default_value(changes.least_cells), "of a change");
+    po::positional_options_description positions;
+    positions.add("what", 1);
+    po::variables_map given;
+    po::store(po::command_line_parser(argc, argv).options(options).positional(positions).run(),
+              given);
+    if (given.count("help") > 0) {
+      std::cout << options;
+      return 0;
+    }
+    po::notify(given);
+    return run(given);
+  } catch (const std::exception& error) {
+    std::cerr << "place_memory_reports: " << error.what() << '\n';
+    return 1;
+  }
+}
