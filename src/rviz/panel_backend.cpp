@@ -2,10 +2,12 @@
 
 #include <place_memory/GetGraph.h>
 #include <place_memory/LearnPlace.h>
+#include <place_memory/Load.h>
 #include <place_memory/RecognizePlace.h>
 #include <place_memory/RemovePlace.h>
 #include <place_memory/RenamePlace.h>
-#include <place_memory/ScanPlaceGoal.h>
+#include <place_memory/Save.h>
+#include <place_memory/Undo.h>
 #include <ros/init.h>
 
 #include <utility>
@@ -149,6 +151,20 @@ void PanelBackend::remove(const std::string& label) {
   RemovePlace::Request request;
   request.label = label;
   call<RemovePlace>(kRemovePlaceService, request, kPatience);
+}
+
+void PanelBackend::undo() { call<Undo>(kUndoService, {}, kPatience); }
+
+void PanelBackend::save(const std::string& path) {
+  Save::Request request;
+  request.path = path;
+  call<Save>(kSaveService, request, kLongPatience);
+}
+
+void PanelBackend::load(const std::string& path) {
+  Load::Request request;
+  request.path = path;
+  call<Load>(kLoadService, request, kLongPatience);
 }
 
 }  // namespace place_memory::panel

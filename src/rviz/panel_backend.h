@@ -37,6 +37,10 @@ class PanelBackend {
   void recognize();
   void rename(const std::string& label, const std::string& new_label);
   void remove(const std::string& label);
+  void undo();
+  /// Paths are below the node's parameter store_directory.
+  void save(const std::string& path);
+  void load(const std::string& path);
   /// Every goal that is under way.
   void cancel();
 

@@ -100,6 +100,15 @@ void PlaceMemoryPanel::press(Command command) {
     case Command::kRecognize:
       backend_.recognize();
       break;
+    case Command::kUndo:
+      backend_.undo();
+      break;
+    case Command::kSave:
+      backend_.save(form_.file->text().toStdString());
+      break;
+    case Command::kLoad:
+      backend_.load(form_.file->text().toStdString());
+      break;
     case Command::kRename:
       form_.places->edit(form_.places->currentIndex());
       break;

@@ -15,8 +15,10 @@ import live_test
 
 DOC = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "doc")
 EXAMPLES = re.compile(r"<!-- live -->\n```bash\n(.*?)```", re.DOTALL)
+SERVERS = ("roslaunch ", "rosrun place_memory relocalizer.py")  # run until the end of the page
 STARTED = "/place_memory/list_places"  # once this is offered, a launch file has started the node
-TOPIC = re.compile(r"rostopic echo \S+ (\S+)/result")
+RELOCALIZE = "/relocalizer/relocalize"
+RESULT = re.compile(r"rostopic echo \S+ \S+/result$")
 
 
 def read_commands(page):
@@ -56,7 +58,7 @@ class LiveDocumentsTest(unittest.TestCase):
         self.assertNotIn("ERROR", output, command)
         if command.startswith("rosservice call"):
             self.assertRegex(output, r"(?m)^status: 0$", command)
-        if TOPIC.search(command):
+        if RESULT.search(command):
             self.assertIn("\n  status: 0\n", output, command)
         return output
 
@@ -64,9 +66,8 @@ class LiveDocumentsTest(unittest.TestCase):
         """{command: what it said last}."""
         said = {}
         for command in read_commands(page):
-            if command.startswith("roslaunch"):
-                self.start("exec " + command + " rviz:=false")
-                rospy.wait_for_service(STARTED, live_test.PATIENCE)
+            if command.startswith(SERVERS):
+                self.start_server(command)
             elif command.endswith(" &"):
                 self.begin_beside(command[:-2])
             elif command == "wait":
@@ -75,11 +76,16 @@ class LiveDocumentsTest(unittest.TestCase):
                 said[command] = self.finish(command, self.start(command))
         return said
 
+    def start_server(self, command):
+        launched = command.startswith("roslaunch ")
+        self.start("exec " + command + (" rviz:=false" if launched else ""))
+        rospy.wait_for_service(STARTED if launched else RELOCALIZE, live_test.PATIENCE)
+
     def begin_beside(self, command):
         self.beside = command, self.start("exec " + command)
-        topic = TOPIC.search(command)
+        topic = re.search(r"rostopic echo \S+ (\S+)", command)
         deadline = time.monotonic() + live_test.PATIENCE
-        while topic and not self.is_heard(topic.group(1) + "/result"):
+        while topic and not self.is_heard(topic.group(1)):
             self.assertLess(time.monotonic(), deadline, command)
             time.sleep(0.05)
 
@@ -96,6 +102,11 @@ class LiveDocumentsTest(unittest.TestCase):
 
     def test_tutorial_2(self):
         self.run_page("tutorial_2.md")
+
+    def test_tutorial_3(self):
+        said = self.run_page("tutorial_3.md")
+        self.assertIn("charger", said["rosservice call /relocalizer/relocalize '{}'"])
+        self.assertIn("frame_id: \"map\"", said["rostopic echo -n1 /initialpose"])
 
     def test_tutorial_4(self):
         said = self.run_page("tutorial_4.md")
