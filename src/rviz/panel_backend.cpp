@@ -41,9 +41,7 @@ void PanelBackend::choose(const std::string& node) {
   board_ = std::make_shared<Board>(node);
   caller_ = std::make_shared<ServiceCaller>();
   link_ = std::make_shared<Link>();
-  links_.post([link = link_, board = board_, node] {
-    if (ros::ok()) link->node = std::make_unique<NodeLink>(node, board);
-  });
+  is_linked_ = false;
   is_looking_ = std::make_shared<std::atomic<bool>>(false);
   looked_ = {};
 }
@@ -64,6 +62,7 @@ std::optional<PanelView> PanelBackend::poll() {
     looked_ = now;
     board_->change([now](PanelState& state) { state.giveUpGoals(now); });
     look();
+    link();
     askForGraph();
   }
   return board_->news();
@@ -81,6 +80,16 @@ void PanelBackend::look() {
     const Presence presence = lookFor(node);
     board->change([&presence](PanelState& state) { state.setPresence(presence); });
     *is_looking = false;
+  });
+}
+
+void PanelBackend::link() {
+  // Without a master ROS would wait for one, and hold up whoever closes rviz.
+  const bool has_master = board_->change([](PanelState& state) { return state.hasMaster(); });
+  if (is_linked_ || !has_master) return;
+  is_linked_ = true;
+  links_.post([link = link_, board = board_, node = node_] {
+    if (ros::ok()) link->node = std::make_unique<NodeLink>(node, board);
   });
 }
 

@@ -50,6 +50,7 @@ class PanelBackend {
   };
 
   void look();
+  void link();
   void askForGraph();
   void withLink(const std::function<void(NodeLink&)>& use);
   void leaveNode();
@@ -60,6 +61,7 @@ class PanelBackend {
   std::string node_;
   std::shared_ptr<Board> board_;
   std::shared_ptr<Link> link_;  // used on links_ alone
+  bool is_linked_ = false;
   std::shared_ptr<ServiceCaller> caller_;
   std::shared_ptr<std::atomic<bool>> is_looking_;
   std::chrono::steady_clock::time_point looked_;

@@ -27,6 +27,11 @@ void PanelState::setPresence(const Presence& presence) {
   }
 }
 
+bool PanelState::hasMaster() const {
+  const Presence::Kind kind = view_.presence.kind;
+  return kind == Presence::Kind::kThere || kind == Presence::Kind::kAway;
+}
+
 void PanelState::breakOff(const std::string& reason) {
   if (!view_.goals.empty()) say(view_.goals.begin()->first + " ended: " + reason, true);
   view_.goals.clear();

@@ -24,6 +24,8 @@ class PanelState {
 
   /// A node that is gone, or another one by the same name, ends what was under way.
   void setPresence(const Presence& presence);
+  /// A ROS master has answered, when it was asked last.
+  bool hasMaster() const;
 
   /// True where the whole map is to be asked for now; setGraph() or failGraph() is the answer.
   bool beginGraph();

@@ -7,7 +7,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
-OF_DEMO_AND_TESTS = {"imagemagick", "python3-matplotlib", "python3-numpy", "rviz", "xvfb"}
+OF_DEMO_AND_TESTS = {"imagemagick", "python3-matplotlib", "python3-numpy", "xvfb"}
 
 
 def read(name):
@@ -31,12 +31,19 @@ class PackageXmlTest(unittest.TestCase):
         self.package = ElementTree.fromstring(read("package.xml"))
 
     def names(self, *tags):
-        return {element.text for tag in tags for element in self.package.iter(tag)}
+        """As with PLACE_MEMORY_RVIZ=0 in the environment."""
+        return {element.text for tag in tags for element in self.package.iter(tag)
+                if "condition" not in element.keys()}
 
     def test_a_robot_installs_nothing_of_demo_and_tests(self):
-        self.assertEqual(OF_DEMO_AND_TESTS & self.names("depend", "exec_depend", "build_depend"),
+        self.assertEqual((OF_DEMO_AND_TESTS | {"rviz"}) & self.names("depend", "exec_depend", "build_depend"),
                          set())
         self.assertEqual(OF_DEMO_AND_TESTS - self.names("test_depend"), set())
+
+    def test_rviz_finds_the_panel(self):
+        self.assertIn("rviz", {element.text for element in self.package.iter("exec_depend")})
+        plugins = self.package.find("export").find("rviz").get("plugin")
+        self.assertIn("PlaceMemoryPanel", read(os.path.basename(plugins)))
 
     def test_a_robot_installs_what_its_launch_file_starts(self):
         packages = set(re.findall(r'<node[^>]* pkg="(\w+)"', read("launch/place_memory.launch")))
