@@ -1,0 +1,132 @@
+#include "rviz/panel_state.h"
+
+#include <cstddef>
+
+#include "rviz/interface_names.h"
+#include "rviz/verdict_words.h"
+
+namespace place_memory::panel {
+namespace {
+
+constexpr std::size_t kShownMatches = 5;
+constexpr std::chrono::seconds kGoalPatience(5);
+
+}  // namespace
+
+void PanelState::setPresence(const Presence& presence) {
+  using Kind = Presence::Kind;
+  const Presence before = view_.presence;
+  view_.presence = presence;
+  if (before.kind == Kind::kThere && presence.kind != Kind::kThere) {
+    breakOff(presenceInWords(view_));
+  } else if (presence.kind == Kind::kThere && presence.incarnation != before.incarnation) {
+    if (before.kind == Kind::kThere) breakOff(view_.node + " was started anew");
+    // Its map may be another one, with versions that begin anew.
+    places_.forget();
+    wants_graph_ = true;
+  }
+}
+
+bool PanelState::hasMaster() const {
+  const Presence::Kind kind = view_.presence.kind;
+  return kind == Presence::Kind::kThere || kind == Presence::Kind::kAway;
+}
+
+void PanelState::breakOff(const std::string& reason) {
+  if (!view_.goals.empty()) say(view_.goals.begin()->first + " ended: " + reason, true);
+  view_.goals.clear();
+  view_.belief.clear();
+  view_.lost.reset();
+  view_.mode.clear();
+}
+
+bool PanelState::beginGraph() {
+  const bool is_there = view_.presence.kind == Presence::Kind::kThere;
+  if (!wants_graph_ || !is_there) return false;
+  return view_.calls.insert(kGetGraphService).second;
+}
+
+void PanelState::setGraph(const PlaceGraph& graph) {
+  view_.calls.erase(kGetGraphService);
+  places_.reset(graph);
+  wants_graph_ = graph.version < newest_version_;  // it was overtaken on its way
+}
+
+void PanelState::failGraph(const std::string& message) {
+  view_.calls.erase(kGetGraphService);
+  say(message, true);
+}
+
+void PanelState::addChange(const MapChange& change) {
+  newest_version_ = change.version;
+  if (!places_.apply(change)) wants_graph_ = true;
+}
+
+void PanelState::setRecognition(const Recognition& recognition) {
+  view_.verdict = verdictInWords(recognition);
+  view_.matches.clear();
+  for (const PlaceMatch& match : recognition.matches) {
+    if (view_.matches.size() == kShownMatches) break;
+    view_.matches.push_back({match.label, match.probability});
+  }
+}
+
+void PanelState::endCall(const std::string& service, const std::string& message, bool problem) {
+  view_.calls.erase(service);
+  say(message, problem);
+}
+
+void PanelState::sendGoal(const std::string& action, const std::string& id, Time now) {
+  RunningGoal goal;
+  goal.id = id;
+  goal.message = "asked for";
+  goal.sent = now;
+  view_.goals[action] = goal;
+}
+
+void PanelState::hearGoal(const std::string& action, const std::string& id) {
+  const auto found = view_.goals.find(action);
+  if (found != view_.goals.end() && found->second.id == id) found->second.answered = true;
+}
+
+void PanelState::hearProgress(const std::string& action, const std::string& id, double fraction,
+                              const std::string& message, Time now) {
+  if (ended_[action] == id) return;  // it comes by another topic than the result
+  RunningGoal& goal = view_.goals[action];
+  if (goal.id != id) goal.sent = now;
+  goal.id = id;
+  goal.answered = true;
+  goal.fraction = fraction;
+  goal.message = message;
+}
+
+void PanelState::endGoal(const std::string& action, const std::string& id,
+                         const std::string& message, bool problem) {
+  ended_[action] = id;
+  const auto found = view_.goals.find(action);
+  // Of a goal that a newer one has overtaken nothing needs to be said.
+  if (found != view_.goals.end() && found->second.id != id) return;
+  if (found != view_.goals.end()) view_.goals.erase(found);
+  say(message, problem);
+}
+
+void PanelState::giveUpGoals(Time now) {
+  for (auto goal = view_.goals.begin(); goal != view_.goals.end();) {
+    if (goal->second.answered || now - goal->second.sent < kGoalPatience) {
+      ++goal;
+      continue;
+    }
+    say(view_.node + " has not answered to ~" + goal->first + " within " +
+            std::to_string(kGoalPatience.count()) + " s",
+        true);
+    goal = view_.goals.erase(goal);
+  }
+}
+
+PanelView PanelState::view() const {
+  PanelView view = view_;
+  view.places = places_.rows();
+  return view;
+}
+
+}  // namespace place_memory::panel

@@ -1,0 +1,69 @@
+#ifndef PLACE_MEMORY_RVIZ_PANEL_STATE_H
+#define PLACE_MEMORY_RVIZ_PANEL_STATE_H
+
+#include <place_memory/MapChange.h>
+#include <place_memory/PlaceGraph.h>
+#include <place_memory/Recognition.h>
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "rviz/panel_view.h"
+#include "rviz/place_list.h"
+
+namespace place_memory::panel {
+
+/// What the messages of one node say, for whoever shows it.
+class PanelState {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  explicit PanelState(const std::string& node) { view_.node = node; }
+
+  /// A node that is gone, or another one by the same name, ends what was under way.
+  void setPresence(const Presence& presence);
+  /// A ROS master has answered, when it was asked last.
+  bool hasMaster() const;
+
+  /// True where the whole map is to be asked for now; setGraph() or failGraph() is the answer.
+  bool beginGraph();
+  void setGraph(const PlaceGraph& graph);
+  void failGraph(const std::string& message);
+  void addChange(const MapChange& change);
+
+  void setRecognition(const Recognition& recognition);
+  void setMode(const std::string& mode) { view_.mode = mode; }
+
+  void beginCall(const std::string& service) { view_.calls.insert(service); }
+  /// `problem`: what is said is not what was asked for.
+  void endCall(const std::string& service, const std::string& message, bool problem);
+
+  void sendGoal(const std::string& action, const std::string& id, Time now);
+  /// The node knows of the goal.
+  void hearGoal(const std::string& action, const std::string& id);
+  void hearProgress(const std::string& action, const std::string& id, double fraction,
+                    const std::string& message, Time now);
+  void endGoal(const std::string& action, const std::string& id, const std::string& message,
+               bool problem);
+  /// Gives up the goals of which the node has said nothing for too long.
+  void giveUpGoals(Time now);
+
+  void say(const std::string& sentence, bool problem) { view_.note = {sentence, problem}; }
+
+  PanelView view() const;
+
+ private:
+  void breakOff(const std::string& reason);
+
+  PanelView view_;  // without the places
+  PlaceList places_;
+  std::map<std::string, std::string> ended_;  // newest goal of each action that ended
+  std::uint64_t newest_version_ = 0;           // of the map, as the newest change has it
+  bool wants_graph_ = true;
+};
+
+}  // namespace place_memory::panel
+
+#endif  // PLACE_MEMORY_RVIZ_PANEL_STATE_H

@@ -1,0 +1,61 @@
+#ifndef PLACE_MEMORY_RVIZ_PANEL_VIEW_H
+#define PLACE_MEMORY_RVIZ_PANEL_VIEW_H
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "rviz/command.h"
+#include "rviz/place_list.h"
+#include "rviz/presence.h"
+
+namespace place_memory::panel {
+
+struct LabelledProbability {
+  std::string label;
+  double probability = 0.0;
+};
+
+/// A goal of an action that is under way, whoever asked for it.
+struct RunningGoal {
+  std::string id;
+  double fraction = 0.0;  ///< that is done, in [0, 1]
+  std::string message;
+  bool answered = false;                       ///< the node has said something of it
+  std::chrono::steady_clock::time_point sent;  ///< or first heard of
+};
+
+/// A sentence for the person at the screen.
+struct Note {
+  std::string text;
+  bool is_problem = false;
+};
+
+/// All that the panel shows.
+struct PanelView {
+  std::string node;
+  Presence presence;
+  std::map<std::string, RunningGoal> goals;  ///< by action
+  std::set<std::string> calls;               ///< services whose answer has not come yet
+  std::string verdict;                       ///< newest answer, in words
+  std::vector<LabelledProbability> matches;  ///< its foremost
+  std::vector<LabelledProbability> belief;   ///< likewise
+  std::optional<double> lost;                ///< probability that the robot is lost
+  std::string mode;                          ///< empty: not known
+  std::shared_ptr<const PlaceRows> places;
+  Note note;
+};
+
+/// In a sentence, how the node is there or not.
+std::string presenceInWords(const PanelView& view);
+
+/// Why a command cannot be given now; empty: it can.
+std::string whyNot(const PanelView& view, Command command, bool place_is_chosen);
+
+}  // namespace place_memory::panel
+
+#endif  // PLACE_MEMORY_RVIZ_PANEL_VIEW_H

@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""The commands of the tutorials work as printed, in the order of each page."""
+
+import os
+import re
+import subprocess
+import tempfile
+import time
+import unittest
+
+import rosgraph
+import rospy
+
+import live_test
+
+DOC = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "doc")
+EXAMPLES = re.compile(r"<!-- live -->\n```bash\n(.*?)```", re.DOTALL)
+SERVERS = ("roslaunch ", "rosrun place_memory relocalizer.py")  # run until the end of the page
+STARTED = "/place_memory/list_places"  # once this is offered, a launch file has started the node
+RELOCALIZE = "/relocalizer/relocalize"
+RESULT = re.compile(r"rostopic echo \S+ \S+/result$")
+
+
+def read_commands(page):
+    with open(os.path.join(DOC, page), encoding="utf-8") as file:
+        return re.sub(r"\\\n\s*", "", "".join(EXAMPLES.findall(file.read()))).splitlines()
+
+
+class LiveDocumentsTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.beside = None
+
+    def start(self, command):
+        log = open(os.path.join(self.folder, "log.%d" % time.monotonic_ns()), "w+")
+        process = subprocess.Popen(["bash", "-c", command], cwd=self.folder, stdout=log,
+                                   stderr=subprocess.STDOUT)
+        process.log = log
+        self.addCleanup(log.close)
+        self.addCleanup(self.stop, process)
+        return process
+
+    def stop(self, process):
+        if process.poll() is None:
+            process.terminate()
+        process.wait(live_test.PATIENCE)
+
+    def output(self, process):
+        process.log.seek(0)
+        return process.log.read()
+
+    def finish(self, command, process):
+        process.wait(live_test.PATIENCE)
+        output = self.output(process)
+        self.assertEqual(process.returncode, 0, command + "\n" + output)
+        self.assertNotIn("ERROR", output, command)
+        if command.startswith("rosservice call"):
+            self.assertRegex(output, r"(?m)^status: 0$", command)
+        if RESULT.search(command):
+            self.assertIn("\n  status: 0\n", output, command)
+        return output
+
+    def run_page(self, page):
+        """{command: what it said last}."""
+        said = {}
+        for command in read_commands(page):
+            if command.startswith(SERVERS):
+                self.start_server(command)
+            elif command.endswith(" &"):
+                self.begin_beside(command[:-2])
+            elif command == "wait":
+                said[self.beside[0]] = self.finish(*self.beside)
+            else:
+                said[command] = self.finish(command, self.start(command))
+        return said
+
+    def start_server(self, command):
+        launched = command.startswith("roslaunch ")
+        self.start("exec " + command + (" rviz:=false" if launched else ""))
+        rospy.wait_for_service(STARTED if launched else RELOCALIZE, live_test.PATIENCE)
+
+    def begin_beside(self, command):
+        self.beside = command, self.start("exec " + command)
+        topic = re.search(r"rostopic echo \S+ (\S+)", command)
+        deadline = time.monotonic() + live_test.PATIENCE
+        while topic and not self.is_heard(topic.group(1)):
+            self.assertLess(time.monotonic(), deadline, command)
+            time.sleep(0.05)
+
+    def is_heard(self, topic):
+        _, subscriptions, _ = rosgraph.Master("/live_documents_test").getSystemState()
+        return any(name.startswith("/rostopic") for subscribed, names in subscriptions
+                   for name in names if subscribed == topic)
+
+    def test_tutorial_1(self):
+        said = self.run_page("tutorial_1.md")
+        answer = said["rosservice call /place_memory/recognize_place '{}'"]
+        self.assertIn("verdict: 2", answer)
+        self.assertIn('label: "laboratory"', answer.split("matches:")[1].split("- ")[1])
+
+    def test_tutorial_2(self):
+        self.run_page("tutorial_2.md")
+
+    def test_tutorial_3(self):
+        said = self.run_page("tutorial_3.md")
+        self.assertIn("charger", said["rosservice call /relocalizer/relocalize '{}'"])
+        self.assertIn("frame_id: \"map\"", said["rostopic echo -n1 /initialpose"])
+
+    def test_tutorial_4(self):
+        said = self.run_page("tutorial_4.md")
+        self.assertIn("learn,ok", said["cat results.csv"])
+        self.assertIn("recognized,laboratory", said["cat results.csv"])
+
+
+if __name__ == "__main__":
+    live_test.main("live_documents_test", LiveDocumentsTest)

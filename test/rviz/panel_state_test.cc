@@ -1,0 +1,214 @@
+#include "rviz/panel_state.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+namespace place_memory::panel {
+namespace {
+
+using std::chrono::seconds;
+
+constexpr char kNode[] = "/robot/place_memory";
+const PanelState::Time kNow = PanelState::Time(seconds(1000));
+
+Presence there(const std::string& incarnation = "robot:1") {
+  Presence presence;
+  presence.kind = Presence::Kind::kThere;
+  presence.services = {"learn_place", "recognize_place", "rename_place"};
+  presence.actions = {"scan"};
+  presence.incarnation = incarnation;
+  return presence;
+}
+
+Presence away() {
+  Presence presence;
+  presence.kind = Presence::Kind::kAway;
+  return presence;
+}
+
+class PanelStateTest : public testing::Test {
+ protected:
+  PanelStateTest() {
+    state_.setPresence(there());
+    PlaceGraph graph;
+    graph.version = 5;
+    graph.places.resize(1);
+    graph.places[0].id = 1;
+    graph.places[0].label = "hall";
+    EXPECT_TRUE(state_.beginGraph());
+    state_.setGraph(graph);
+  }
+
+  std::string why(Command command, bool place_is_chosen = true) const {
+    return whyNot(state_.view(), command, place_is_chosen);
+  }
+
+  PanelState state_{kNode};
+};
+
+TEST_F(PanelStateTest, WhatTheNodeOffersCanBeAskedFor) {
+  EXPECT_EQ(why(Command::kScan), "");
+  EXPECT_EQ(why(Command::kLearn), "");
+}
+
+TEST_F(PanelStateTest, WhatItDoesNotOfferIsNamed) {
+  EXPECT_EQ(why(Command::kSave), "/robot/place_memory does not offer ~save, a service");
+  EXPECT_EQ(why(Command::kExplore), "/robot/place_memory does not offer ~explore, an action");
+}
+
+TEST_F(PanelStateTest, ANodeThatIsAwayIsTheReasonForAll) {
+  state_.setPresence(away());
+  EXPECT_NE(why(Command::kScan).find("/robot/place_memory does not run"), std::string::npos);
+  EXPECT_EQ(why(Command::kSave), why(Command::kScan));
+  state_.setPresence(there());
+  EXPECT_EQ(why(Command::kScan), "");
+}
+
+TEST_F(PanelStateTest, WithoutAMasterThatIsTheReason) {
+  Presence presence;
+  presence.kind = Presence::Kind::kNoMaster;
+  state_.setPresence(presence);
+  EXPECT_EQ(why(Command::kScan), "no ROS master answers");
+}
+
+TEST_F(PanelStateTest, APlaceMustBeChosenToBeRenamed) {
+  EXPECT_EQ(why(Command::kRename, false), "choose a place in the list");
+  EXPECT_EQ(why(Command::kRename, true), "");
+}
+
+TEST_F(PanelStateTest, OneAnswerIsWaitedForAtATime) {
+  state_.beginCall("learn_place");
+  EXPECT_EQ(why(Command::kLearn), "waiting for the answer of ~learn_place");
+  EXPECT_EQ(why(Command::kRecognize), "");
+  state_.endCall("learn_place", "no scan was finished yet", true);
+  EXPECT_EQ(why(Command::kLearn), "");
+  EXPECT_EQ(state_.view().note.text, "no scan was finished yet");
+  EXPECT_TRUE(state_.view().note.is_problem);
+}
+
+TEST_F(PanelStateTest, ANodeThatIsStartedAnewIsAskedForItsMap) {
+  EXPECT_FALSE(state_.beginGraph());
+  state_.setPresence(there("robot:2"));
+  EXPECT_TRUE(state_.view().places->empty());
+  EXPECT_TRUE(state_.beginGraph());
+  EXPECT_FALSE(state_.beginGraph()) << "it was asked for already";
+}
+
+TEST_F(PanelStateTest, TheMapIsNotAskedForWhileTheNodeIsAway) {
+  state_.setPresence(there("robot:2"));
+  state_.setPresence(away());
+  EXPECT_FALSE(state_.beginGraph());
+}
+
+TEST_F(PanelStateTest, AMapThatWasOvertakenOnItsWayIsAskedForAgain) {
+  MapChange change;
+  change.version = 9;
+  state_.addChange(change);
+  EXPECT_TRUE(state_.beginGraph());
+  PlaceGraph graph;
+  graph.version = 8;
+  state_.setGraph(graph);
+  EXPECT_TRUE(state_.beginGraph());
+  graph.version = 9;
+  state_.setGraph(graph);
+  EXPECT_FALSE(state_.beginGraph());
+}
+
+TEST_F(PanelStateTest, AGoalIsUnderWayUntilItsResult) {
+  state_.sendGoal("scan", "a", kNow);
+  EXPECT_EQ(why(Command::kScan), "~scan is under way");
+  state_.hearProgress("scan", "a", 0.25, "turn on", kNow);
+  EXPECT_EQ(state_.view().goals.at("scan").fraction, 0.25);
+  EXPECT_EQ(state_.view().goals.at("scan").message, "turn on");
+  state_.endGoal("scan", "a", "scan: 176 readings", false);
+  EXPECT_EQ(why(Command::kScan), "");
+  EXPECT_EQ(state_.view().note.text, "scan: 176 readings");
+}
+
+TEST_F(PanelStateTest, AGoalOfSomebodyElseIsShownToo) {
+  state_.hearProgress("scan", "theirs", 0.5, "", kNow);
+  EXPECT_EQ(state_.view().goals.at("scan").fraction, 0.5);
+}
+
+TEST_F(PanelStateTest, ProgressThatComesAfterTheResultDoesNotBeginAnew) {
+  state_.sendGoal("scan", "a", kNow);
+  state_.endGoal("scan", "a", "scan: done", false);
+  state_.hearProgress("scan", "a", 0.9, "", kNow);
+  EXPECT_TRUE(state_.view().goals.empty());
+}
+
+TEST_F(PanelStateTest, TheResultOfAGoalThatWasOvertakenDoesNotEndTheNewOne) {
+  state_.sendGoal("scan", "a", kNow);
+  state_.sendGoal("scan", "b", kNow);
+  state_.endGoal("scan", "a", "scan: canceled", true);
+  EXPECT_EQ(state_.view().goals.at("scan").id, "b");
+}
+
+TEST_F(PanelStateTest, AGoalWithoutAWordIsGivenUp) {
+  state_.sendGoal("scan", "a", kNow);
+  state_.giveUpGoals(kNow + seconds(4));
+  EXPECT_EQ(state_.view().goals.size(), 1U);
+  state_.giveUpGoals(kNow + seconds(6));
+  EXPECT_TRUE(state_.view().goals.empty());
+  EXPECT_EQ(state_.view().note.text, "/robot/place_memory has not answered to ~scan within 5 s");
+}
+
+TEST_F(PanelStateTest, AGoalThatTheNodeKnowsMayTakeItsTime) {
+  state_.sendGoal("scan", "a", kNow);
+  state_.hearGoal("scan", "a");
+  state_.giveUpGoals(kNow + seconds(600));
+  EXPECT_EQ(state_.view().goals.size(), 1U);
+}
+
+TEST_F(PanelStateTest, ANodeThatGoesAwayEndsItsGoalsWithAWord) {
+  state_.hearProgress("scan", "a", 0.5, "", kNow);
+  state_.setPresence(away());
+  EXPECT_TRUE(state_.view().goals.empty());
+  EXPECT_NE(state_.view().note.text.find("does not run"), std::string::npos);
+  EXPECT_TRUE(state_.view().note.is_problem);
+}
+
+TEST_F(PanelStateTest, ARestartThatNobodySawEndsThemToo) {
+  state_.hearProgress("scan", "a", 0.5, "", kNow);
+  state_.setPresence(there("robot:2"));
+  EXPECT_TRUE(state_.view().goals.empty());
+  EXPECT_NE(state_.view().note.text.find("was started anew"), std::string::npos);
+}
+
+Recognition makeRecognition(std::uint8_t verdict, int matches) {
+  Recognition recognition;
+  recognition.verdict = verdict;
+  for (int i = 0; i < matches; ++i) {
+    PlaceMatch match;
+    match.label = "place " + std::to_string(i);
+    match.probability = 0.5 / (1 + i);
+    recognition.matches.push_back(match);
+  }
+  return recognition;
+}
+
+TEST_F(PanelStateTest, TheForemostMatchesAreShown) {
+  state_.setRecognition(makeRecognition(Recognition::RECOGNIZED, 20));
+  const PanelView view = state_.view();
+  EXPECT_EQ(view.verdict, "Recognized: \"place 0\" with 50 %.");
+  ASSERT_EQ(view.matches.size(), 5U);
+  EXPECT_EQ(view.matches[1].label, "place 1");
+  EXPECT_EQ(view.matches[1].probability, 0.25);
+}
+
+TEST_F(PanelStateTest, AnAnswerThatNamesNoPlaceSaysWhyNot) {
+  state_.setRecognition(makeRecognition(Recognition::UNKNOWN, 0));
+  EXPECT_EQ(state_.view().verdict, "Not recognized: no place was learned yet.");
+  state_.setRecognition(makeRecognition(Recognition::UNKNOWN, 3));
+  EXPECT_EQ(state_.view().verdict,
+            "Not recognized: no place is sure to fit; the best of 3 is \"place 0\" with 50 %.");
+  state_.setRecognition(makeRecognition(Recognition::AMBIGUOUS, 3));
+  EXPECT_EQ(state_.view().verdict,
+            "Ambiguous: some places look alike from here, \"place 0\" with 50 %, \"place 1\" with "
+            "25 %. A scan from another spot may part them.");
+}
+
+}  // namespace
+}  // namespace place_memory::panel
