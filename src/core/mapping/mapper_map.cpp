@@ -9,7 +9,6 @@
 namespace place_memory::core {
 namespace {
 
-constexpr int kCarried = 2;  ///< closures refused since the last tie
 constexpr double kLostAfterClosure = 0.05;
 /// No tie may be further off than three sigma: of three numbers together [sigma^2].
 constexpr double kFarOff = 14.2;
@@ -33,11 +32,6 @@ bool Mapper::closeLoops(double way) {
   if (const ClosureCandidate* loop = loops_.accepted()) {
     closed = closer_.close(*loop, session_, session_, moves_map, way);
     if (!closed) loops_.dropForemost();
-    // Witnesses enough, and still odometry cannot have brought the robot there: it was carried.
-    if (!closed && ++refused_ >= kCarried && session_ == kMapSession && !graph_.ties().empty()) {
-      partWays();
-      return false;
-    }
   }
   if (!closed && session_ != kMapSession) {
     if (const ClosureCandidate* join = joins_.accepted()) {
@@ -53,6 +47,7 @@ bool Mapper::closeLoops(double way) {
     graph_.relaxRecent(kWindow);
   }
   loops_.clear();
+  carried_.clear();
   joins_.clear();
   lost_.set(kLostAfterClosure);
   return true;
@@ -96,7 +91,7 @@ void Mapper::afterRelaxing() {
 
 void Mapper::thinOut() {
   // Who refers to nodes by their indices is empty then, but for the shelf.
-  if (!loops_.empty() || !joins_.empty() || !undecided_.empty() || closer_.onTrial() != 0) return;
+  if (!loops_.empty() || !carried_.empty() || !joins_.empty() || !undecided_.empty() || closer_.onTrial() != 0) return;
   const auto now = thin(graph_, options_.thinning);
   if (!now) return;
   shelf_.renumber(*now);
@@ -129,17 +124,29 @@ void Mapper::restore(const KeptMap& map) {
   beginSession();
 }
 
+/// Of a scan that was told as something else before.
+ScanDecision Mapper::lateDecision(NodeIndex at) const {
+  ScanDecision decision;
+  decision.stamp = graph_.node(at).stamp;
+  decision.kind = ScanDecision::Kind::kNewPlace;
+  decision.place = graph_.node(at).place;
+  decision.lost = lost();
+  decision.reason = "no place was near, once it was clear which loops close";
+  return decision;
+}
+
 void Mapper::makePlaces() {
   const auto pending = [](const ClosureCandidates& candidates) {
     const ClosureCandidate* best = candidates.foremost();
     return best && best->witnesses.size() >= 2;
   };
-  if (pending(loops_) || pending(joins_)) return;
+  if (pending(loops_) || pending(carried_) || pending(joins_)) return;
   for (const NodeIndex at : undecided_) {
     const ScanNode& node = graph_.node(at);
-    if (shelf_.near(node.pose, node.session, options_.spacing, false).empty()) {
-      shelf_.add(at, graph_);
-    }
+    if (!shelf_.near(node.pose, node.session, options_.spacing, false).empty()) continue;
+    if (node.place != kNoPlace || !node.readings) continue;
+    shelf_.add(at, graph_);
+    if (at + 1 < graph_.nodes().size()) decisions_.push_back(lateDecision(at));
   }
   undecided_.clear();
 }

@@ -99,7 +99,8 @@ std::optional<MovingScan> MovingScanBuilder::take() {
   last_scan_ = now;
 
   MovingScan scan;
-  scan.middle = stations_[middleOf(first)].moment;
+  const std::size_t middle = middleOf(first);
+  scan.middle = stations_[middle].moment;
   scan.first_way = stations_[first].moment.way;
   scan.last_way = now;
   scan.enough = enough;
@@ -112,6 +113,7 @@ std::optional<MovingScan> MovingScanBuilder::take() {
       reading.sensor_pose = middle_from_station * reading.sensor_pose;
       readings->push_back(reading);
     }
+    if (i == middle) scan.first_newest = readings->size();
   }
   scan.readings = std::move(readings);
   return scan;
