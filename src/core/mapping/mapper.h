@@ -38,7 +38,7 @@ struct MapperOptions {
   double spacing = 1.3;    ///< least distance of a new place from all others [m]
   double doubled = 0.6;    ///< of two places nearer than this after a correction the newer goes [m]
   ClosureOptions closure;  ///< of loops
-  ClosureOptions join{8, 5.0, 1.5, 10.0, 3.0, 4.0};     ///< of a session with the map
+  ClosureOptions join{10, 7.0, 2.0, 15.0, 4.0, 5.0};    ///< of a session with the map
   ClosureOptions relocate{2, 0.2, 0.0, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
   double cell_size = kDefaultCellSize;                  ///< [m]
   ThinningOptions thinning;
@@ -132,8 +132,8 @@ class Mapper {
  private:
   static constexpr int kMapSession = 1;       ///< in whose frame the map lies
   static constexpr std::size_t kWindow = 40;  ///< nodes that a local correction moves
-  /// Agreement of the newest readings with what should be there below which they are not of it.
-  static constexpr double kDisagrees = 0.35;
+  /// Agreement of the newest readings with what should be there from which they are of it.
+  static constexpr double kAgrees = 0.45;
 
   /// What one scan showed.
   struct View {
@@ -141,7 +141,7 @@ class Mapper {
     std::size_t readings = 0;
     bool enough = true;                    ///< readings
     bool at_place = false;                 ///< one is near where the robot thinks it is
-    std::optional<double> newest_agree{};  ///< the newest readings, with the place nearest to them
+    NewestReadings::Agreement agreement{};  ///< with the place that should be there
     bool tracked = false;
     double best = 0.0;               ///< probability of the best place
     std::vector<Sighting> loops{};   ///< elsewhere, where odometry may have brought the robot

@@ -49,7 +49,7 @@ void Mapper::lookForOwnSession(NodeIndex at, View& view) {
   if (session_ == kMapSession) believe(at, fits, view.laid);
   WaySearch ways(graph_, at, kFarthestWay);
   // A scan that was begun where the robot was carried from still looks like there.
-  if (view.newest_agree.value_or(1.0) >= kDisagrees) {
+  if (!view.agreement.contradicts) {
     view.tracked = tying_.track(at, view.laid, fits, ways, closer_.onTrial());
   }
   view.best = fits.empty() ? 0.0 : fits.front().probability;
@@ -62,7 +62,7 @@ Mapper::View Mapper::look(NodeIndex at, const MovingScan& scan) {
   view.readings = scan.readings->size();
   view.enough = scan.enough;
   view.at_place = placeNear(session_)(view.laid.map_from_base);
-  view.newest_agree = newest_.agree(at, scan.first_newest);
+  view.agreement = newest_.agree(at, scan.first_newest);
   lookForOwnSession(at, view);
   return view;
 }

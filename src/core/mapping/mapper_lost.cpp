@@ -73,7 +73,7 @@ ScanWitness Mapper::witnessOf(const View& view) const {
   const bool again = carried && carried->witnesses.size() >= 2 &&
                      carried->witnesses.back().node + 1 == graph_.nodes().size();
   const bool sure = !view.beyond.empty() && view.beyond.front().probability >= kSurelyElsewhere;
-  const bool disagrees = view.newest_agree.value_or(1.0) < kDisagrees;
+  const bool disagrees = view.agreement.contradicts;
   if (again || sure) {
     return view.at_place || disagrees ? ScanWitness::kElsewhere : ScanWitness::kDoubts;
   }
@@ -90,7 +90,8 @@ void Mapper::judgeLost(NodeIndex at, const View& view, ScanDecision& decision) {
 }
 
 bool Mapper::inDoubt(const View& view) const {
-  return lost_.probability() > kDoubtful || view.newest_agree.value_or(1.0) < kDisagrees;
+  const bool agrees = view.agreement.newest.value_or(0.0) >= kAgrees;
+  return lost_.probability() > kDoubtful || !agrees;
 }
 
 /// What was driven since the last tie lies nobody knows where; but of a long way most was driven

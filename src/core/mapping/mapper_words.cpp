@@ -43,6 +43,9 @@ std::string Mapper::reasonOf(NodeIndex at, const View& view, const ScanDecision&
       break;
     case ScanDecision::Kind::kTracked:
       reason = "it looks like where odometry has it; " + nearest;
+      if (view.agreement.newest) {
+        reason += "; agreement of its newest readings " + fixed(*view.agreement.newest, 2);
+      }
       break;
     case ScanDecision::Kind::kClosed:
       reason = "scans enough agree on where the robot came back to; " + nearest;
@@ -68,10 +71,10 @@ std::string Mapper::reasonOf(NodeIndex at, const View& view, const ScanDecision&
       break;
     }
     case ScanDecision::Kind::kBetween:
-      if (view.newest_agree.value_or(1.0) < kDisagrees) {
+      if (view.agreement.newest && *view.agreement.newest < kAgrees) {
         reason = "its newest readings do not fit " +
                  (near.empty() ? std::string("what is near") : named(near.front().id)) +
-                 " (agreement " + fixed(*view.newest_agree, 2) + ")";
+                 " (agreement " + fixed(*view.agreement.newest, 2) + ")";
       } else if (view.at_place) {
         reason = "it should be of " + named(near.front().id) + ", but does not look so (best match " +
                  fixed(view.best, 2) + ")";

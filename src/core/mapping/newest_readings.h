@@ -25,11 +25,17 @@ class NewestReadings {
                  double cell_size)
       : graph_(graph), shelf_(shelf), sonar_(sonar), geometry_{cell_size} {}
 
-  /// Agreement of a node's readings from `first` on with the ripe place nearest to where they put
-  /// the robot; nothing where none is near, or too little is known.
-  std::optional<double> agree(NodeIndex node, std::size_t first) const;
+  struct Agreement {
+    std::optional<double> newest;  ///< nothing where no ripe place is near, or too little is known
+    bool contradicts = false;      ///< by far less than the older ones: it is elsewhere now
+  };
+  /// Agreement of a node's readings, the newest ones from `first` on, with the ripe place nearest
+  /// to where they put the robot.
+  Agreement agree(NodeIndex node, std::size_t first) const;
 
  private:
+  std::optional<double> agree(NodeIndex node, std::size_t first, std::size_t last) const;
+
   const ScanGraph& graph_;
   const PlaceShelf& shelf_;
   SonarModel sonar_;
