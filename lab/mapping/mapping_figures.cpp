@@ -117,7 +117,7 @@ MappingFigures figures(const core::Mapper& mapper, const MappingRun& run, const 
   found.way = run.way();
   found.cpu = run.way() > 0.0 ? 1000.0 * run.cpu / run.way() : 0.0;
   Pairs online, final;
-  const core::FinalWay at_end(mapper.graph().nodes(), mapper.firstOfDrive());
+  const core::FinalWay at_end(mapper.way());
   for (const MomentRecord& moment : run.moments) {
     if (moment.online) online.emplace_back(*moment.online, moment.truth);
     if (!at_end.empty()) final.emplace_back(at_end.at(moment.stamp, moment.odom), moment.truth);

@@ -48,6 +48,7 @@ core::MapperOptions mapperOptions() {
   core::MapperOptions options;
   options.recognizer = kParameters.match.recognizer;
   options.sonar = kParameters.sonar;
+  options.keep_way = true;
   return options;
 }
 

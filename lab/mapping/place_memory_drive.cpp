@@ -62,6 +62,7 @@ int run(const po::variables_map& given) {
   core::MapperOptions options;
   options.recognizer = parameters.match.recognizer;
   options.sonar = parameters.sonar;
+  options.keep_way = true;
   core::Mapper mapper(options);
   const auto drives = given["drive"].as<std::vector<std::string>>();
   const std::string out = given["out"].as<std::string>();
@@ -113,7 +114,7 @@ int run(const po::variables_map& given) {
         mapper.odometryErrors().bend * 180.0 / core::kPi,
         mapper.odometryErrorSigmas().bend * 180.0 / core::kPi, mapper.odometryErrors().turn_factor,
         mapper.odometryErrorSigmas().turn_factor);
-    const core::FinalWay at_end(mapper.graph().nodes(), mapper.firstOfDrive());
+    const core::FinalWay at_end(mapper.way());
     for (const trials::DriveMoment& moment : drive) {
       final_way << rowOf(start + moment.t, at_end.at(stampOf(start + moment.t), moment.odom))
                 << '\n';

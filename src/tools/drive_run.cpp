@@ -46,6 +46,7 @@ core::MapperOptions mapperOptions(const config::Parameters& parameters, const st
   options.cell_size = parameters.grid.cell_size;
   options.sonar = parameters.sonar;
   options.recognizer = parameters.match.recognizer;
+  options.keep_way = true;
   return options;
 }
 
@@ -195,7 +196,7 @@ void runDrive(const BagSet& bags, BagScanner& scanner, const DriveArguments& arg
   const DriveLosses losses = readDrive(bags, scanner, parameters, drive);
   drive.writeAnswers(answers);
   if (store && arguments.mode == "map") store->keep(mapper.map());
-  const core::FinalWay way(mapper.graph().nodes(), mapper.firstOfDrive());
+  const core::FinalWay way(mapper.way());
   if (!way.empty()) {
     for (const OdometryMoment& moment : drive.way()) {
       final_way.add(finalRow(moment.stamp, way.at(moment.stamp, moment.odom_from_base)));

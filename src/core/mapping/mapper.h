@@ -44,6 +44,7 @@ struct MapperOptions {
   ThinningOptions thinning;
   SonarModelOptions sonar;
   RecognizerOptions recognizer;
+  bool keep_way = false;  ///< remember scans that are thinned out, for way(): it grows with the way
 };
 
 /// What became of one moving scan.
@@ -128,6 +129,9 @@ class Mapper {
   const OdometryErrors& odometryErrorSigmas() const { return graph_.errorSigmas(); }
   /// Nodes before this one are of the map that was taken up.
   NodeIndex firstOfDrive() const { return first_of_drive_; }
+  /// The scans of this drive, without their readings, where they lie now; with `keep_way` also those
+  /// that were thinned out.
+  std::vector<ScanNode> way() const;
 
  private:
   static constexpr int kMapSession = 1;       ///< in whose frame the map lies
@@ -161,7 +165,6 @@ class Mapper {
   std::function<bool(const Pose2d&)> placeNear(int session) const;
   void sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySearch& ways,
                View& view) const;
-  double sigmasOff(const Sighting& seen, NodeIndex at, WaySearch& ways) const;
   bool closeLoops(double way);
   void takeBack();
   PlaceBelief::Map beliefMap() const;
@@ -174,6 +177,8 @@ class Mapper {
   void makePlaces();
   ScanDecision lateDecision(NodeIndex at) const;
   void thinOut();
+  void remember(const std::vector<ScanNode>& before,
+                const std::vector<std::optional<NodeIndex>>& now);
   void afterRelaxing();
   bool inDoubt(const View& view) const;
   void name(NodeIndex at, const View& view, ScanDecision& decision) const;
@@ -197,6 +202,11 @@ class Mapper {
   int last_session_ = 1;
   bool first_of_session_ = true;
   NodeIndex first_of_drive_ = 0;
+  struct ThinnedScan {
+    ScanNode node;  ///< its pose is beside that place
+    PlaceId place;
+  };
+  std::vector<ThinnedScan> thinned_;
   std::optional<BaseMoment> last_middle_;  ///< of the newest node
   Pose2d newest_odom_;
   double anchored_way_ = 0.0;              ///< at the last tie

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/mapping/mapper.h"
+#include "core/mapping/odometry_reach.h"
 
 namespace place_memory::core {
 namespace {
@@ -14,14 +15,9 @@ constexpr double kCompassAgrees = 30.0 * kDegree;
 constexpr double kUseful = 0.3;      ///< probability of a match that is worth something
 constexpr double kLongUntied = 5.0;  ///< way after which every heading is looked at [m]
 
-// What odometry may be off by after a way: beyond the farthest sigmas a loop is none, but the robot
-// was carried; up to the free ones it costs no evidence. Wider than the map's own noise: wheels slip.
-constexpr double kPositionFloor = 0.4;  // [m]
-constexpr double kYawFloor = 6.0 * kDegree;
-constexpr double kYawNoise = 3.0 * kDegree;  // by the root of the way in metres
-constexpr double kScaleSigma = 0.05;
-constexpr double kCompassSigma = 20.0 * kDegree;
-constexpr double kFreeSigmas = 2.0;
+// Of the way's covariance: beyond the farthest a loop is none, but the robot was carried; up to the
+// free ones it costs no evidence.
+constexpr double kFreeSigmas = 1.5;
 constexpr double kFarthestSigmas = 4.5;
 
 }  // namespace
@@ -73,31 +69,21 @@ std::function<bool(const Pose2d&)> Mapper::placeNear(int session) const {
   };
 }
 
-double Mapper::sigmasOff(const Sighting& seen, NodeIndex at, WaySearch& ways) const {
-  const std::optional<double> way = ways.to(shelf_.nodeOf(seen.place));
-  if (!way) return 0.0;  // so far about it may lie anywhere
-  const ScanNode& node = graph_.node(at);
-  const double bend = std::min(graph_.errorSigmas().bend * *way, kPi);
-  double yaw = kYawFloor + std::hypot(kYawNoise * std::sqrt(*way), bend);
-  const bool compass =
-      node.compass && std::abs(wrapAngle(*node.compass - node.pose.yaw)) < kCompassAgrees;
-  if (compass) yaw = std::min(yaw, kCompassSigma);
-  const double across = std::min(yaw, 1.0) * *way / std::sqrt(3.0);
-  const double position = kPositionFloor + std::hypot(kScaleSigma * *way, across);
-  return std::hypot(
-      std::hypot(seen.pose.x - node.pose.x, seen.pose.y - node.pose.y) / position,
-      wrapAngle(seen.pose.yaw - node.pose.yaw) / yaw);
-}
-
 void Mapper::sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySearch& ways,
                      View& view) const {
   const Pose2d& here = view.laid.map_from_base;
+  const ScanNode& node = graph_.node(at);
+  const bool compass =
+      node.compass && std::abs(wrapAngle(*node.compass - node.pose.yaw)) < kCompassAgrees;
   for (Sighting seen : sightings) {
     if (std::hypot(seen.pose.x - here.x, seen.pose.y - here.y) < 0.5 &&
         std::abs(wrapAngle(seen.pose.yaw - here.yaw)) < 15.0 * kDegree) {
       continue;
     }
-    const double off = sigmasOff(seen, at, ways);
+    const NodeIndex place = shelf_.nodeOf(seen.place);
+    // What no way leads to may lie anywhere.
+    const double off =
+        ways.to(place) ? sigmasOff(graph_, ways.along(place), compass, seen.pose) : 0.0;
     seen.prior = -0.5 * std::max(0.0, off * off - kFreeSigmas * kFreeSigmas);
     (off <= kFarthestSigmas ? view.loops : view.beyond).push_back(seen);
   }

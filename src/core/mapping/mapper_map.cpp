@@ -12,6 +12,7 @@ namespace {
 constexpr double kLostAfterClosure = 0.05;
 /// No tie may be further off than three sigma: of three numbers together [sigma^2].
 constexpr double kFarOff = 14.2;
+constexpr double kRemembered = 3.0;  ///< places about by which a thinned scan is remembered [m]
 constexpr int kSteps = 15;  ///< of a relaxation after a change of what is known
 
 }  // namespace
@@ -92,12 +93,48 @@ void Mapper::afterRelaxing() {
 void Mapper::thinOut() {
   // Who refers to nodes by their indices is empty then, but for the shelf.
   if (!loops_.empty() || !carried_.empty() || !joins_.empty() || !undecided_.empty() || closer_.onTrial() != 0) return;
+  const std::vector<ScanNode> before = options_.keep_way ? graph_.nodes() : std::vector<ScanNode>{};
   const auto now = thin(graph_, options_.thinning);
   if (!now) return;
+  remember(before, *now);
   shelf_.renumber(*now);
   const auto of_drive = now->begin() + static_cast<std::ptrdiff_t>(first_of_drive_);
   first_of_drive_ = static_cast<NodeIndex>(
       std::count_if(now->begin(), of_drive, [](const auto& kept) { return kept.has_value(); }));
+}
+
+void Mapper::remember(const std::vector<ScanNode>& before,
+                      const std::vector<std::optional<NodeIndex>>& now) {
+  for (NodeIndex at = first_of_drive_; at < before.size(); ++at) {
+    if (now[at]) continue;
+    const auto near = shelf_.near(before[at].pose, before[at].session, kRemembered, false);
+    if (near.empty()) continue;
+    thinned_.push_back({before[at], near.front().id});
+    ScanNode& node = thinned_.back().node;
+    const NodeIndex place = *now[shelf_.nodeOf(near.front().id)];
+    node.pose = graph_.node(place).pose.inverse() * node.pose;
+    node.readings.reset();
+    node.before.reset();
+  }
+}
+
+std::vector<ScanNode> Mapper::way() const {
+  std::vector<ScanNode> way;
+  for (const ThinnedScan& thinned : thinned_) {
+    if (!shelf_.has(thinned.place)) continue;
+    const ScanNode& place = graph_.node(shelf_.nodeOf(thinned.place));
+    way.push_back(thinned.node);
+    way.back().session = place.session;
+    way.back().pose = place.pose * thinned.node.pose;
+  }
+  for (NodeIndex at = first_of_drive_; at < graph_.nodes().size(); ++at) {
+    way.push_back(graph_.node(at));
+    way.back().readings.reset();
+    way.back().before.reset();
+  }
+  std::sort(way.begin(), way.end(),
+            [](const ScanNode& a, const ScanNode& b) { return a.stamp < b.stamp; });
+  return way;
 }
 
 void Mapper::restore(const KeptMap& map) {

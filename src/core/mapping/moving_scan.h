@@ -19,6 +19,7 @@ struct MovingScanOptions {
   double length_ahead = 4.5;  ///< likewise where all sonars look ahead [m]
   double longest = 6.0;       ///< it grows so far to have readings enough [m]
   std::size_t readings = 90;  ///< that are enough
+  std::size_t most = 180;     ///< readings; of more than these some are left out, evenly
 };
 
 /// Where the base is at one moment by odometry.

@@ -104,18 +104,6 @@ std::optional<double> ScanGraph::compassDeviation(NodeIndex place) const {
   return std::atan2(y, x);
 }
 
-double ScanGraph::strain(int session) const {
-  double strain = std::pow(errors_.bend / kBendSigma, 2) +
-                  std::pow(errors_.turn_factor / kTurnFactorSigma, 2);
-  for (const ScanNode& node : nodes_) {
-    if (node.session != session || !node.before || nodes_[*node.before].session != session) continue;
-    const Pose2d off = predicted(node).inverse() * node.pose;
-    const Eigen::Vector3d error(off.x, off.y, off.yaw);
-    strain += error.dot(motionInformation(node.motion_way, node.motion_turn) * error);
-  }
-  return strain;
-}
-
 void ScanGraph::steps(NodeIndex from, std::vector<Step>& found) const {
   found.clear();
   if (nodes_[from].before) found.push_back({*nodes_[from].before, nodes_[from].motion_way});

@@ -51,8 +51,6 @@ class ScanGraph {
   std::optional<double> compassDeviation(NodeIndex place) const;
   /// Squared distance of a tie from the poses [sigma^2].
   double chiSquare(const Tie& tie) const;
-  /// How far odometry is off from the poses of a session, its lasting errors too [sigma^2].
-  double strain(int session) const;
   /// Moves a whole session into another's frame.
   void join(int session, int into, const Pose2d& into_from_session);
   /// Odometry says nothing of how the robot came to this node.

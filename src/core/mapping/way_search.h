@@ -23,6 +23,8 @@ class WaySearch {
 
   /// Length of the shortest way to a node [m]; nothing where it is too far, or there is none.
   std::optional<double> to(NodeIndex node);
+  /// The nodes of that way, from its beginning to `node`; `to(node)` is something.
+  std::vector<NodeIndex> along(NodeIndex node) const;
 
  private:
   using Entry = std::pair<double, NodeIndex>;
@@ -32,7 +34,11 @@ class WaySearch {
   const ScanGraph& graph_;
   double radius_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
-  std::unordered_map<NodeIndex, double> best_;
+  struct Reached {
+    double way;
+    NodeIndex before;
+  };
+  std::unordered_map<NodeIndex, Reached> best_;
   std::unordered_map<NodeIndex, double> settled_;
   std::vector<ScanGraph::Step> steps_;
 };
