@@ -4,9 +4,9 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <vector>
 
-#include "sim/building/building_generator.h"
-#include "sim/scene/world_loader.h"
+#include "mapping/mapping_worlds.h"
 #include "trials/simulated_drive.h"
 
 namespace po = boost::program_options;
@@ -16,15 +16,16 @@ namespace {
 
 int run(const po::variables_map& given) {
   const auto seed = given["seed"].as<std::uint64_t>();
-  const sim::World world =
-      given.count("world")
-          ? sim::loadWorld(given["world"].as<std::string>())
-          : sim::generateBuilding(static_cast<sim::BuildingKind>(given["kind"].as<int>()), seed);
+  const sim::World world = mapping::mappingWorld(given["world"].as<std::string>(), seed,
+                                                 given["worlds"].as<std::string>());
   trials::DriveRecipe recipe;
   recipe.way = given["way"].as<double>();
   recipe.speed = given["speed"].as<double>();
   recipe.people = given["people"].as<int>();
   recipe.changes = given.count("unchanged") == 0;
+  recipe.scale_sigma = given["scale-sigma"].as<double>();
+  recipe.yaw_noise = given["yaw-noise"].as<double>();
+  if (given.count("carried")) recipe.carried = given["carried"].as<std::vector<double>>();
   recipe.start = given["start"].as<std::size_t>() % world.places.size();
   sim::SimulatedRobot robot;
   const int ring = robot.ring.count;
@@ -47,15 +48,20 @@ int main(int argc, char** argv) {
     po::options_description options("usage: place_memory_simulate_drive --out F.jsonl.gz");
     options.add_options()("help", "show this")("out", po::value<std::string>()->required(),
                                                "file to write")(
-        "world", po::value<std::string>(), "world file; without it, a generated building")(
-        "kind", po::value<int>()->default_value(0), "of that building, by its number")(
+        "world", po::value<std::string>()->default_value("office"),
+        "to drive about in: corridor, open_plan, laboratory, home, cells, half_turn, or a world "
+        "file's name")("worlds", po::value<std::string>()->default_value("config/worlds"),
+                       "folder of world files")(
         "seed", po::value<std::uint64_t>()->default_value(1), "of all that is random")(
         "way", po::value<double>()->default_value(200.0), "[m]")(
         "speed", po::value<double>()->default_value(0.35), "[m/s]")(
         "people", po::value<int>()->default_value(2), "who walk about")(
         "start", po::value<std::size_t>()->default_value(0), "number of the place to start at")(
         "sonars", po::value<int>()->default_value(16), "of the ring of 16: 16, 8, 4")(
-        "ahead", "the forward nine of them alone")("unchanged", "nothing changes half way");
+        "scale-sigma", po::value<double>()->default_value(0.05), "of odometry's distances")(
+        "yaw-noise", po::value<double>()->default_value(0.0524),
+        "of odometry [rad by the root of the way in m]")("carried", po::value<std::vector<double>>()->multitoken(),
+        "ways at which it is carried elsewhere, rising [m]")("ahead", "the forward nine of them alone")("unchanged", "nothing changes half way");
     po::variables_map given;
     po::store(po::parse_command_line(argc, argv, options), given);
     if (given.count("help")) {

@@ -17,6 +17,7 @@ namespace {
 constexpr double kBaseRadius = 0.22;  // [m]
 constexpr double kThere = 0.15;       // so near to a place it goes on to the next [m]
 constexpr double kTurnRate = 0.6;     // [rad/s]
+constexpr double kFar = 4.0;          // so far it is carried at least [m]
 
 /// Where the robot goes next: where it has been least.
 class Wanderer {
@@ -49,6 +50,13 @@ class Wanderer {
     ++visits_[at_];
     target_.reset();
   }
+  /// Somebody carried the robot to that place.
+  void putAt(std::size_t place) {
+    from_ = static_cast<std::size_t>(-1);
+    at_ = place;
+    target_.reset();
+    ++visits_[at_];
+  }
   /// Something stands in the way.
   void turnBack() {
     visits_[*target_] += 3;
@@ -62,6 +70,31 @@ class Wanderer {
   std::size_t from_ = static_cast<std::size_t>(-1);
   std::optional<std::size_t> target_;
 };
+
+/// A place that is not near, any of them.
+std::size_t farPlace(const sim::World& world, const core::Pose2d& base, sim::Rng& rng) {
+  std::vector<std::size_t> far;
+  double farthest = 0.0;
+  std::size_t last_resort = 0;
+  for (std::size_t i = 0; i < world.places.size(); ++i) {
+    const sim::Vec2& spot = world.places[i].position;
+    const double distance = std::hypot(spot.x - base.x, spot.y - base.y);
+    if (distance >= kFar) far.push_back(i);
+    if (distance <= farthest) continue;
+    farthest = distance;
+    last_resort = i;
+  }
+  return far.empty() ? last_resort : far[sim::uniformIndex(rng, far.size())];
+}
+
+/// The lasting changes of a working day.
+void change(sim::World& world, const core::Pose2d& base, sim::Rng& rng) {
+  world.places.push_back({"", {base.x, base.y}, {}});
+  sim::moveChairs(world, 0.5, 1.0, rng);
+  sim::flipDoors(world, 0.3, rng);
+  sim::addBicycles(world, 2, rng);
+  world.places.pop_back();
+}
 
 /// Odometry that errs by the recipe.
 class Wheels {
@@ -107,18 +140,22 @@ Drive simulateDrive(const sim::World& world, const sim::SimulatedRobot& robot,
   double way = 0.0, t = 0.0;
   std::size_t next = 0;
   int blocked = 0;
-  bool changed = !recipe.changes;
+  double next_change = recipe.change_every > 0.0 ? recipe.change_every : 0.5 * recipe.way;
+  if (!recipe.changes) next_change = INFINITY;
+  std::size_t carried = 0;
   while (way < recipe.way && t < 20.0 * recipe.way / recipe.speed) {
-    if (!changed && way > 0.5 * recipe.way) {
-      changed = true;
-      sim::World other = now;
-      other.places.push_back({"", {base.x, base.y}, {}});
-      sim::moveChairs(other, 0.5, 1.0, rng);
-      sim::flipDoors(other, 0.3, rng);
-      sim::addBicycles(other, 2, rng);
-      other.places.pop_back();
-      now = other;
+    if (way > next_change) {
+      next_change = recipe.change_every > 0.0 ? next_change + recipe.change_every : INFINITY;
+      now = world;
+      change(now, base, rng);
       scene = std::make_unique<sim::Scene>(now);
+    }
+    if (carried < recipe.carried.size() && way > recipe.carried[carried]) {
+      ++carried;
+      const std::size_t to = farPlace(world, base, rng);
+      const sim::Vec2& spot = world.places[to].position;
+      base = {spot.x, spot.y, core::wrapAngle(2.0 * core::kPi * sim::uniform(rng))};
+      wanderer.putAt(to);
     }
     const sim::Vec2 goal = world.places[wanderer.target(rng)].position;
     const double distance = std::hypot(goal.x - base.x, goal.y - base.y);

@@ -48,14 +48,14 @@ core::MapperOptions mapperOptions(const config::Parameters& parameters, const st
   options.cell_size = parameters.grid.cell_size;
   options.sonar = parameters.sonar;
   options.recognizer = parameters.match.recognizer;
+  options.keep_way = true;
   return options;
 }
 
 /// Feeds the mapper, and writes down what it says as it comes.
 class Drive : public DriveListener {
  public:
-  Drive(core::Mapper& mapper, DriveTable& trajectory, DriveTable& answers)
-      : mapper_(mapper), trajectory_(trajectory), answers_(answers) {}
+  Drive(core::Mapper& mapper, DriveTable& trajectory) : mapper_(mapper), trajectory_(trajectory) {}
 
   void onHeading(nanoseconds stamp, double yaw) override { headings_.emplace_back(stamp, yaw); }
 
@@ -87,15 +87,24 @@ class Drive : public DriveListener {
     if (map_from_base) map_from_base = *map_from_base * odom_from_base;
     trajectory_.add(trajectoryRow(stamp, map_from_base, mapper_.lost()));
     for (const core::ScanDecision& decision : mapper_.takeDecisions()) {
-      answers_.add(answerRow(decision));
-      ++decisions_[core::nameOf(decision.kind)];
+      decisions_[decision.stamp] = decision;
     }
+  }
+
+  /// A row a scan, with the last word on it.
+  void writeAnswers(DriveTable& answers) const {
+    for (const auto& [stamp, decision] : decisions_) answers.add(answerRow(decision));
   }
 
   const std::vector<OdometryMoment>& way() const { return way_; }
   double length() const { return length_; }
   int resets() const { return resets_; }
-  const std::map<std::string, int>& decisions() const { return decisions_; }
+  /// How many of each kind.
+  std::map<std::string, int> decisions() const {
+    std::map<std::string, int> counts;
+    for (const auto& [stamp, decision] : decisions_) ++counts[core::nameOf(decision.kind)];
+    return counts;
+  }
 
  private:
   struct Reading {
@@ -106,13 +115,12 @@ class Drive : public DriveListener {
 
   core::Mapper& mapper_;
   DriveTable& trajectory_;
-  DriveTable& answers_;
   std::vector<std::pair<nanoseconds, double>> headings_;  ///< since the newest odometry
   std::vector<Reading> readings_;                         ///< likewise
   std::vector<OdometryMoment> way_;
   double length_ = 0.0;  ///< [m]
   int resets_ = 0;
-  std::map<std::string, int> decisions_;
+  std::map<nanoseconds, core::ScanDecision> decisions_;  ///< the newest on each scan
 };
 
 void takeUp(const core::DrivenMap& store, const std::string& path, core::Mapper& mapper) {
@@ -200,10 +208,11 @@ void runDrive(const BagSet& bags, BagScanner& scanner, const DriveArguments& arg
   if (!arguments.png.empty())
     picture::writeMapPicture({}, arguments.png);  // tells at once if it cannot
 
-  Drive drive(mapper, trajectory, answers);
+  Drive drive(mapper, trajectory);
   const DriveLosses losses = readDrive(bags, scanner, parameters, drive);
+  drive.writeAnswers(answers);
   if (store && arguments.mode == "map") store->keep(mapper.map());
-  const core::FinalWay way(mapper.graph().nodes(), mapper.firstOfDrive());
+  const core::FinalWay way(mapper.way());
   if (!way.empty()) {
     for (const OdometryMoment& moment : drive.way()) {
       final_way.add(finalRow(moment.stamp, way.at(moment.stamp, moment.odom_from_base)));

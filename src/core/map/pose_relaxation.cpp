@@ -3,6 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace place_memory::core {
@@ -44,10 +45,27 @@ double totalCost(const RelaxationProblem& problem) {
     cost += 0.5 * prior.information * error * error;
   }
   if (problem.find_errors) {
-    cost += 0.5 * std::pow(problem.errors.bend / problem.bend_sigma, 2) +
-            0.5 * std::pow(problem.errors.turn_factor / problem.turn_factor_sigma, 2);
+    cost += 0.5 * std::pow(problem.errors.bend / kBendSigma, 2) +
+            0.5 * std::pow(problem.errors.turn_factor / kTurnFactorSigma, 2);
   }
   return cost;
+}
+
+/// By what everything is further off than it was said to be, at least 1.
+double noiseFactor(const RelaxationProblem& problem) {
+  double off = 0.0;
+  std::ptrdiff_t known = static_cast<std::ptrdiff_t>(problem.yaws.size()) + 2;
+  for (const RelativePose& relative : problem.relatives) {
+    const double chi = chiSquare(problem, relative);
+    off += chi * believed(chi, relative.doubt);
+    known += 3;
+  }
+  for (const YawPrior& prior : problem.yaws) {
+    const double error = wrapAngle(problem.poses[prior.pose].yaw - prior.yaw);
+    off += prior.information * error * error;
+  }
+  const auto free = 3 * std::count(problem.held.begin(), problem.held.end(), 0) + 2;
+  return known <= free ? 1.0 : std::max(1.0, std::sqrt(off / static_cast<double>(known - free)));
 }
 
 /// The normal equations of one step.
@@ -74,8 +92,8 @@ class Equations {
     for (const RelativePose& relative : problem.relatives) add(problem, relative);
     for (const YawPrior& prior : problem.yaws) add(problem, prior);
     if (errors_ != kHeld) {
-      addPrior(errors_, problem.errors.bend, problem.bend_sigma);
-      addPrior(errors_ + 1, problem.errors.turn_factor, problem.turn_factor_sigma);
+      addPrior(errors_, problem.errors.bend, kBendSigma);
+      addPrior(errors_ + 1, problem.errors.turn_factor, kTurnFactorSigma);
     }
     // Every diagonal entry is there, for the damping.
     for (std::ptrdiff_t i = 0; i < size_; ++i) enter(i, i, 0.0);
@@ -94,6 +112,20 @@ class Equations {
     if (solver_.info() != Eigen::Success) return false;
     step = solver_.solve(right_);
     return step.allFinite();
+  }
+
+  /// Sigmas of the errors by the newest solution's matrix; nothing where they are no unknowns.
+  std::optional<OdometryErrors> errorSigmas() {
+    if (errors_ == kHeld || !analyzed_) return std::nullopt;
+    OdometryErrors sigmas;
+    for (const std::ptrdiff_t k : {0, 1}) {
+      Eigen::VectorXd unit = Eigen::VectorXd::Zero(size_);
+      unit[errors_ + k] = 1.0;
+      const Eigen::VectorXd column = solver_.solve(unit);
+      (k == 0 ? sigmas.bend : sigmas.turn_factor) =
+          std::sqrt(std::max(column[errors_ + k], 0.0));
+    }
+    return sigmas;
   }
 
   void move(const Eigen::VectorXd& step, RelaxationProblem& problem) const {
@@ -240,6 +272,13 @@ RelaxationResult relax(RelaxationProblem& problem, const RelaxationOptions& opti
       return result;
     }
     if (step.lpNorm<Eigen::Infinity>() < options.small_step) break;
+  }
+  result.error_sigmas = equations.errorSigmas();
+  if (result.error_sigmas) {
+    const double noise = noiseFactor(problem);
+    result.error_sigmas->bend = std::min(noise * result.error_sigmas->bend, kBendSigma);
+    result.error_sigmas->turn_factor =
+        std::min(noise * result.error_sigmas->turn_factor, kTurnFactorSigma);
   }
   return result;
 }

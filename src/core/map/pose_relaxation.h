@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "place_memory/core/pose2d.h"
@@ -18,6 +19,10 @@ struct OdometryErrors {
   /// times about, as it was in truth.
   Pose2d corrected(const Pose2d& motion, double way, double turn) const;
 };
+
+/// How well the errors of any wheels are known before they drove: sigmas of them.
+constexpr double kBendSigma = 1.5 * kPi / 180.0;  // [rad/m]
+constexpr double kTurnFactorSigma = 0.05;
 
 /// A pose as seen from another one.
 struct RelativePose {
@@ -47,10 +52,8 @@ struct RelaxationProblem {
   std::vector<RelativePose> relatives;
   std::vector<YawPrior> yaws;
   OdometryErrors errors;
-  /// Whether `errors` are unknowns too, known before to such sigmas.
+  /// Whether `errors` are unknowns too, known before to kBendSigma and kTurnFactorSigma.
   bool find_errors = false;
-  double bend_sigma = 1.5 * kPi / 180.0;
-  double turn_factor_sigma = 0.05;
 };
 
 /// Squared distance of a relative pose from the estimates [sigma^2], before doubt.
@@ -65,6 +68,9 @@ struct RelaxationResult {
   int iterations = 0;
   double cost = 0.0;   ///< half the sum of what is left, with doubt
   bool solved = true;  ///< false: not solvable, poses are as they were
+  /// Of the errors, where they were unknowns: to what sigmas they are known now, from how far
+  /// everything else is off.
+  std::optional<OdometryErrors> error_sigmas;
 };
 
 /// Moves the poses to where they contradict what is known least: Levenberg and Marquardt's steps

@@ -53,6 +53,7 @@ void ClosureCandidates::update(std::size_t node, double way, double stretch, con
     }
     if (best) {
       candidate.score += said(best->probability);
+      candidate.prior = best->prior;
       candidate.witnesses.push_back({node, best->place, way, best->pose});
       const double share = std::max(0.35, 1.0 / static_cast<double>(candidate.witnesses.size()));
       candidate.target_from_estimate = between(expected, best->pose, share) * estimate.inverse();
@@ -71,12 +72,13 @@ void ClosureCandidates::update(std::size_t node, double way, double stretch, con
     ClosureCandidate candidate;
     candidate.target_from_estimate = sightings[i].pose * estimate.inverse();
     candidate.score = said(sightings[i].probability);
+    candidate.prior = sightings[i].prior;
     candidate.witnesses.push_back({node, sightings[i].place, way, sightings[i].pose});
     candidates_.push_back(candidate);
   }
   std::stable_sort(
       candidates_.begin(), candidates_.end(),
-      [](const ClosureCandidate& a, const ClosureCandidate& b) { return a.score > b.score; });
+      [](const ClosureCandidate& a, const ClosureCandidate& b) { return a.weight() > b.weight(); });
   // Of two that have come to mean the same, the better one stays.
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const Pose2d here = candidates_[i].target_from_estimate * estimate;
@@ -102,9 +104,11 @@ const ClosureCandidate* ClosureCandidates::accepted() const {
   const double wanted = std::max(options_.spread, options_.stretches * stretch_);
   const double spread = best.witnesses.back().way - best.witnesses.front().way;
   if (best.witnesses.size() < options_.witnesses || spread < wanted) return nullptr;
-  if (best.score < options_.score) return nullptr;
+  if (best.weight() < options_.score) return nullptr;
   if (3 * static_cast<std::size_t>(best.misses) > best.witnesses.size()) return nullptr;
-  if (candidates_.size() > 1 && candidates_[1].score > best.score - options_.margin) return nullptr;
+  if (candidates_.size() > 1 && candidates_[1].weight() > best.weight() - options_.margin) {
+    return nullptr;
+  }
   return &best;
 }
 

@@ -15,7 +15,7 @@ struct ClosureOptions {
   std::size_t witnesses = 5;  ///< scans that agree
   double spread = 3.0;        ///< way from the first of them to the last [m]; but at least
   double stretches = 1.0;     ///< so many lengths of the scans' stretches, which share readings
-  double score = 5.0;         ///< sum of their softened log likelihood ratios
+  double score = 5.0;         ///< sum of their softened log likelihood ratios and the prior
   double margin = 2.5;        ///< of the score over that of any other candidate
   double give_up = 4.0;       ///< way without a witness after which a candidate is dropped [m]
 };
@@ -24,7 +24,8 @@ struct ClosureOptions {
 struct Sighting {
   PlaceId place = kNoPlace;
   double probability = 0.0;
-  Pose2d pose;  ///< of the base, in the target's frame
+  Pose2d pose;         ///< of the base, in the target's frame
+  double prior = 0.0;  ///< log likelihood that odometry brought the robot there, <= 0
 };
 
 /// A scan that agreed with a candidate.
@@ -39,8 +40,12 @@ struct Witness {
 struct ClosureCandidate {
   Pose2d target_from_estimate;
   double score = 0.0;
+  double prior = 0.0;  ///< of its newest witness
   int misses = 0;  ///< scans at places of the target that did not agree
   std::vector<Witness> witnesses;
+
+  /// How much speaks for it.
+  double weight() const { return score + prior; }
 };
 
 /// Gathers witnesses for closed loops. One look is none: scans that share readings repeat one
@@ -65,11 +70,16 @@ class ClosureCandidates {
   /// Forgets a candidate for good or all: their transforms hold no more.
   void clear() { candidates_.clear(); }
   void dropForemost();
+  /// Goes on with another one's candidates, which mean the same here.
+  void takeOver(const ClosureCandidates& other) {
+    candidates_ = other.candidates_;
+    stretch_ = other.stretch_;
+  }
 
  private:
   ClosureOptions options_;
   double stretch_ = 0.0;                      ///< length of the newest scan's [m]
-  std::vector<ClosureCandidate> candidates_;  ///< by falling score
+  std::vector<ClosureCandidate> candidates_;  ///< by falling weight
 };
 
 }  // namespace place_memory::core

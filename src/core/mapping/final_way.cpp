@@ -7,8 +7,8 @@ namespace place_memory::core {
 FinalWay::FinalWay(const std::vector<ScanNode>& nodes, NodeIndex first) {
   for (NodeIndex at = first; at < nodes.size(); ++at) {
     const ScanNode& node = nodes[at];
-    if (node.session == 1)
-      scans_.push_back({node.stamp, node.pose * node.odom_from_base.inverse()});
+    if (node.session != 1) continue;
+    scans_.push_back({node.stamp, node.pose * node.odom_from_base.inverse()});
   }
 }
 

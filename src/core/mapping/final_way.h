@@ -12,8 +12,8 @@ namespace place_memory::core {
 /// what both say.
 class FinalWay {
  public:
-  /// Of the nodes from `first` on that lie in the map's frame, that of session 1.
-  FinalWay(const std::vector<ScanNode>& nodes, NodeIndex first);
+  /// Of the nodes from `first` on that lie in the map's frame, that of session 1; by rising stamp.
+  explicit FinalWay(const std::vector<ScanNode>& nodes, NodeIndex first = 0);
 
   bool empty() const { return scans_.empty(); }
   /// Of the base in the map, where odometry had it there then. Of an empty way, what odometry says.

@@ -15,7 +15,8 @@ constexpr double kMostSuffered = 25.0;  ///< chi square by which all older ties 
 constexpr double kMostOfTie = 25.0;     ///< chi square of one tie that counts
 constexpr double kOutvoted = 16.0;      ///< chi square from which a tie is outvoted
 
-constexpr double kTrialWay = 6.0;  // [m]
+constexpr double kTrialWay = 6.0;       // [m]
+constexpr double kJoinTrialWay = 12.0;  // [m]
 constexpr int kTrialMisses = 4;
 
 double suffered(const ScanGraph& graph, int without) {
@@ -105,7 +106,7 @@ bool LoopCloser::observe(bool tracked, bool expected, double way) {
     trial_.reset();
     return true;
   }
-  if (way - trial_->way > kTrialWay) trial_.reset();
+  if (way - trial_->way > (trial_->joined ? kJoinTrialWay : kTrialWay)) trial_.reset();
   return false;
 }
 

@@ -1,20 +1,37 @@
 #ifndef PLACE_MEMORY_CORE_MAPPING_LOST_ESTIMATE_H
 #define PLACE_MEMORY_CORE_MAPPING_LOST_ESTIMATE_H
 
+#include <array>
+#include <cstddef>
+
 namespace place_memory::core {
 
 /// What one scan showed of whether the robot is where it thinks.
 enum class ScanWitness {
-  kAgrees,    ///< it was tracked at a place
-  kSilent,    ///< no place is near where it thinks it is
-  kMisses,    ///< a place is near, but the scan is not of it
-  kDoubts,    ///< no place is near, and one is recognized where odometry cannot have brought it
-  kElsewhere  ///< likewise, though a place is near that the scan should be of
+  kAgrees,       ///< it was tracked at a place
+  kSilent,       ///< no place is near where it thinks it is
+  kMisses,       ///< a place is near, but the scan is not of it
+  kContradicts,  ///< its newest readings are not of what should be there
+  kDoubts,       ///< no place is near, and one is recognized where odometry cannot have brought it
+  kElsewhere     ///< likewise, though a place is near that the scan should be of
+};
+
+constexpr std::size_t kScanWitnesses = 6;
+
+/// How often robots are carried, and by how much more often a lost robot's scans are of each kind
+/// than another's. Neighbouring scans share readings, so these ratios are softened.
+struct LostModel {
+  double lifted_per_metre;                     ///< of way, > 0
+  std::array<double, kScanWitnesses> ratios;   ///< in the order of ScanWitness, > 0
 };
 
 /// P(lost): a two-state filter. A robot may be lifted at any time; scans at known places tell.
 class LostEstimate {
  public:
+  /// With the model that is fitted by `place_memory_mapping fit_lost`.
+  LostEstimate();
+  explicit LostEstimate(const LostModel& model) : model_(model) {}
+
   double probability() const { return lost_; }
   void set(double probability) { lost_ = probability; }
 
@@ -22,6 +39,7 @@ class LostEstimate {
   void update(ScanWitness witness, double way);
 
  private:
+  LostModel model_;
   double lost_ = 0.0;
 };
 

@@ -7,15 +7,11 @@
 namespace place_memory::core {
 namespace {
 
-constexpr double kDegree = kPi / 180.0;
 constexpr std::chrono::nanoseconds kHeadingAge = std::chrono::seconds(1);
 
 constexpr std::size_t kFullEvery = 20;  ///< nodes between corrections of the whole map
-constexpr double kAtPlace = 0.6;        ///< so near to a place a scan should show it [m]
-constexpr double kCompassWindow = 45.0 * kDegree;
-constexpr double kCompassAgrees = 30.0 * kDegree;
-constexpr double kUseful = 0.3;      ///< probability of a match that is worth something
-constexpr double kLongUntied = 5.0;  ///< way after which the heading is anyone's guess [m]
+constexpr double kNamed = 1.2;          ///< so near is a place that a scan names [m]
+constexpr double kNamedWay = 3.0;       ///< and no way farther through the graph [m]
 
 }  // namespace
 
@@ -31,8 +27,10 @@ Mapper::Mapper(const MapperOptions& options)
       headings_(kHeadingAge),
       shelf_(options.recognizer, SonarModel(options.sonar), options.cell_size),
       tying_(graph_, shelf_, options.sonar, options.cell_size),
+      newest_(graph_, shelf_, options.sonar, options.cell_size),
       closer_(graph_, shelf_, tying_),
       loops_(options.closure),
+      carried_(options.join),
       joins_(options.join),
       belief_(PlaceBeliefOptions{}) {}
 
@@ -101,78 +99,70 @@ NodeIndex Mapper::append(const MovingScan& scan) {
   return graph_.append(node);
 }
 
-double Mapper::headingWindow() const {
-  const ScanNode& node = graph_.nodes().back();
-  if (!node.compass) return kCompassWindow;
-  const bool agrees = std::abs(wrapAngle(*node.compass - node.pose.yaw)) < kCompassAgrees;
-  return agrees ? kCompassWindow : kPi;
+void Mapper::speakOfLoops(NodeIndex at, const MovingScan& scan, const View& view) {
+  const double stretch = scan.last_way - scan.first_way;
+  loops_.update(at, scan.middle.way, stretch, view.laid.map_from_base, view.loops,
+                placeNear(session_));
+  // Where it is tracked it was not carried, whatever looks like it elsewhere.
+  if (view.tracked) carried_.clear();
+  if (view.tracked || session_ != kMapSession) return;
+  carried_.update(at, scan.middle.way, stretch, view.laid.map_from_base, view.beyond,
+                  placeNear(session_));
 }
 
-std::vector<PlaceFit> Mapper::recognizeAnyhow(const PlaceMatcher& places, const LaidScan& scan,
-                                              const std::vector<PlaceFit>& fits) const {
-  const bool sure = !fits.empty() && fits.front().probability >= kUseful;
-  const bool compass = graph_.nodes().back().compass.has_value();
-  if (sure || compass || reckoning_.way() - anchored_way_ < kLongUntied) return fits;
-  return places.recognize(scan.grid, kPi);
+void Mapper::speakOfJoins(NodeIndex at, const MovingScan& scan, const View& view) {
+  const PlaceMatcher* map = shelf_.matcher(kMapSession);
+  if (session_ == kMapSession || !map) return;
+  const ScanNode& node = graph_.node(at);
+  const std::vector<PlaceFit> fits =
+      map->recognize(view.laid.grid, node.compass ? headingWindow() : kPi);
+  believe(at, fits, view.laid);
+  joins_.update(at, scan.middle.way, scan.last_way - scan.first_way, node.pose,
+                tying_.sightings(fits, view.laid), placeNear(kMapSession));
+}
+
+void Mapper::growMap(NodeIndex at) {
+  if (++scans_since_full_ >= kFullEvery && (ties_since_full_ || graph_.node(at).compass)) {
+    graph_.relaxAll(session_, 3);
+    if (closer_.cutContradicted()) graph_.relaxAll(session_, 10);
+    afterRelaxing();
+  }
+  undecided_.push_back(at);
+  makePlaces();
 }
 
 void Mapper::process(const MovingScan& scan) {
   const NodeIndex at = append(scan);
   const double way = scan.middle.way;
-  const double stretch = scan.last_way - scan.first_way;
   shelf_.ripen(scan.first_way, graph_);
+  const View view = look(at, scan);
+  speakOfLoops(at, scan, view);
   ScanDecision decision;
   decision.stamp = scan.middle.stamp;
-  const LaidScan laid = tying_.lay(at, graph_.node(at).pose);
-
-  bool tracked = false;
-  std::vector<Sighting> others;
-  if (const PlaceMatcher* own = shelf_.matcher(session_)) {
-    const std::vector<PlaceFit> fits = own->recognize(laid.grid, headingWindow());
-    if (session_ == kMapSession) believe(at, fits, laid);
-    tracked = tying_.track(at, laid, fits, closer_.onTrial());
-    others =
-        elsewhere(tying_.sightings(tracked ? fits : recognizeAnyhow(*own, laid, fits), laid), laid);
-    loops_.update(at, way, stretch, laid.map_from_base, others, placeNear(session_));
-  }
-  if (tracked) {
+  if (view.tracked) {
     anchored_way_ = way;
-    refused_ = 0;
     ties_since_full_ = true;
     decision.kind = ScanDecision::Kind::kTracked;
   }
   // A compass holds the heading on new ground too.
-  if (tracked || graph_.node(at).compass) graph_.relaxRecent(kWindow);
-  if (closer_.observe(tracked, placeNear(session_)(graph_.node(at).pose), way)) takeBack();
-  if (session_ != kMapSession) {
-    if (const PlaceMatcher* map = shelf_.matcher(kMapSession)) {
-      const std::vector<PlaceFit> fits =
-          map->recognize(laid.grid, graph_.node(at).compass ? headingWindow() : kPi);
-      believe(at, fits, laid);
-      joins_.update(at, way, stretch, graph_.node(at).pose, tying_.sightings(fits, laid),
-                    placeNear(kMapSession));
-    }
-  }
+  if (view.tracked || graph_.node(at).compass) graph_.relaxRecent(kWindow);
+  if (closer_.observe(view.tracked, placeNear(session_)(graph_.node(at).pose), way)) takeBack();
+  speakOfJoins(at, scan, view);
+  if (carried_.accepted()) partWays();
   if (closeLoops(way)) {
     anchored_way_ = way;
     decision.kind = ScanDecision::Kind::kClosed;
+  } else {
+    judgeLost(at, view, decision);
   }
-  if (options_.mode == MapperMode::kMap) {
-    if (++scans_since_full_ >= kFullEvery && (ties_since_full_ || graph_.node(at).compass)) {
-      graph_.relaxAll(session_, 3);
-      if (closer_.cutContradicted()) graph_.relaxAll(session_, 10);
-      afterRelaxing();
-    }
-    undecided_.push_back(at);
-    makePlaces();
-    if (graph_.node(at).place != kNoPlace) decision.kind = ScanDecision::Kind::kNewPlace;
-  }
-  judgeLost(at, tracked, others);
+  if (options_.mode == MapperMode::kMap) growMap(at);
+  if (graph_.node(at).place != kNoPlace) decision.kind = ScanDecision::Kind::kNewPlace;
   decision.lost = lost();
-  name(at, decision);
+  name(at, view, decision);
   if (decision.place != kNoPlace) {
     decision.belief = belief_.probability(decision.place, beliefMap());
   }
+  decision.reason = reasonOf(at, view, decision);
   decisions_.push_back(decision);
   if (options_.mode == MapperMode::kLocalize) tidy();
   if (options_.mode == MapperMode::kMap && scans_since_full_ == 0) thinOut();
@@ -184,24 +174,7 @@ void Mapper::tidy() {
   if (old.place == kNoPlace && old.stamp > map_stamp_) old.readings.reset();
 }
 
-std::function<bool(const Pose2d&)> Mapper::placeNear(int session) const {
-  return [this, session](const Pose2d& pose) {
-    return !shelf_.near(pose, session, kAtPlace, true).empty();
-  };
-}
-
-std::vector<Sighting> Mapper::elsewhere(std::vector<Sighting> sightings,
-                                        const LaidScan& scan) const {
-  const Pose2d& here = scan.map_from_base;
-  const auto is_here = [&](const Sighting& seen) {
-    return std::hypot(seen.pose.x - here.x, seen.pose.y - here.y) < 0.5 &&
-           std::abs(wrapAngle(seen.pose.yaw - here.yaw)) < 15.0 * kDegree;
-  };
-  sightings.erase(std::remove_if(sightings.begin(), sightings.end(), is_here), sightings.end());
-  return sightings;
-}
-
-void Mapper::name(NodeIndex at, ScanDecision& decision) const {
+void Mapper::name(NodeIndex at, const View& view, ScanDecision& decision) const {
   const ScanNode& node = graph_.node(at);
   if (decision.kind == ScanDecision::Kind::kNewPlace) {
     decision.place = node.place;
@@ -212,10 +185,15 @@ void Mapper::name(NodeIndex at, ScanDecision& decision) const {
                                                      : ScanDecision::Kind::kCandidate;
     return;
   }
-  const auto ways = graph_.ways(at, 3.0);
-  for (const PlaceShelf::Near& near : shelf_.near(node.pose, session_, 1.2, true)) {
+  if (decision.kind == ScanDecision::Kind::kBetween && inDoubt(view)) {
+    if (!loops_.empty() || !carried_.empty()) decision.kind = ScanDecision::Kind::kCandidate;
+    if (lost() > 0.5) decision.kind = ScanDecision::Kind::kLost;
+    return;
+  }
+  WaySearch ways(graph_, at, kNamedWay);
+  for (const PlaceShelf::Near& near : shelf_.near(node.pose, session_, kNamed, true)) {
     const NodeIndex place = shelf_.nodeOf(near.id);
-    if (ways.find(place) == ways.end()) continue;
+    if (!ways.to(place)) continue;
     decision.place = near.id;
     decision.place_from_base = graph_.node(place).pose.inverse() * node.pose;
     break;

@@ -16,9 +16,11 @@
 #include "core/mapping/loop_closer.h"
 #include "core/mapping/lost_estimate.h"
 #include "core/mapping/moving_scan.h"
+#include "core/mapping/newest_readings.h"
 #include "core/mapping/place_shelf.h"
 #include "core/mapping/scan_graph.h"
 #include "core/mapping/scan_tying.h"
+#include "core/mapping/way_search.h"
 #include "core/sensing/heading_history.h"
 #include "place_memory/core/recognizer_options.h"
 #include "place_memory/core/sonar_model.h"
@@ -36,12 +38,13 @@ struct MapperOptions {
   double spacing = 1.3;    ///< least distance of a new place from all others [m]
   double doubled = 0.6;    ///< of two places nearer than this after a correction the newer goes [m]
   ClosureOptions closure;  ///< of loops
-  ClosureOptions join{8, 5.0, 1.5, 10.0, 3.0, 4.0};     ///< of a session with the map
+  ClosureOptions join{10, 7.0, 2.0, 15.0, 4.0, 5.0};    ///< of a session with the map
   ClosureOptions relocate{2, 0.2, 0.0, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
   double cell_size = kDefaultCellSize;                  ///< [m]
   ThinningOptions thinning;
   SonarModelOptions sonar;
   RecognizerOptions recognizer;
+  bool keep_way = false;  ///< remember scans that are thinned out, for way(): it grows with the way
 };
 
 /// What became of one moving scan.
@@ -54,7 +57,8 @@ struct ScanDecision {
   Pose2d place_from_base;    ///< where the robot stood, in the frame in which it stood at the place
   double belief = 0.0;       ///< probability of that place
   double lost = 0.0;         ///< probability that the robot is not where map_from_odom has it
-  std::string reason;
+  ScanWitness witness = ScanWitness::kSilent;  ///< what it showed of that
+  std::string reason;                          ///< in words: why this and nothing else
 };
 
 /// "new_place", "tracked", "closed", "candidate", "between" or "lost", as tables have it.
@@ -99,7 +103,9 @@ class Mapper {
   void setMode(MapperMode mode);
   MapperMode mode() const { return options_.mode; }
 
-  /// What became of scans since it was asked last.
+  /// What became of scans since it was asked last. Where a scan becomes a place only later, since
+  /// it was not clear whether a loop closes, there is a second decision with its stamp, which takes
+  /// the place of the first.
   std::vector<ScanDecision> takeDecisions();
 
   /// Corrects odometry's newest pose; nothing while where the robot is is not known.
@@ -118,33 +124,65 @@ class Mapper {
   /// is wrong.
   void restore(const KeptMap& map);
   const ScanGraph& graph() const { return graph_; }
+  /// What the wheels get wrong all the time, as far as loops have shown it, and to what sigmas.
+  const OdometryErrors& odometryErrors() const { return graph_.errors(); }
+  const OdometryErrors& odometryErrorSigmas() const { return graph_.errorSigmas(); }
   /// Nodes before this one are of the map that was taken up.
   NodeIndex firstOfDrive() const { return first_of_drive_; }
+  /// The scans of this drive, without their readings, where they lie now; with `keep_way` also those
+  /// that were thinned out.
+  std::vector<ScanNode> way() const;
 
  private:
   static constexpr int kMapSession = 1;       ///< in whose frame the map lies
   static constexpr std::size_t kWindow = 40;  ///< nodes that a local correction moves
+  /// Agreement of the newest readings with what should be there from which they are of it.
+  static constexpr double kAgrees = 0.45;
+
+  /// What one scan showed.
+  struct View {
+    LaidScan laid;
+    std::size_t readings = 0;
+    bool enough = true;                    ///< readings
+    bool at_place = false;                 ///< one is near where the robot thinks it is
+    NewestReadings::Agreement agreement{};  ///< with the place that should be there
+    bool tracked = false;
+    double best = 0.0;               ///< probability of the best place
+    std::vector<Sighting> loops{};   ///< elsewhere, where odometry may have brought the robot
+    std::vector<Sighting> beyond{};  ///< elsewhere, where it cannot have
+  };
 
   void process(const MovingScan& scan);
+  View look(NodeIndex at, const MovingScan& scan);
+  void lookForOwnSession(NodeIndex at, View& view);
+  void speakOfLoops(NodeIndex at, const MovingScan& scan, const View& view);
+  void speakOfJoins(NodeIndex at, const MovingScan& scan, const View& view);
+  void growMap(NodeIndex at);
   NodeIndex append(const MovingScan& scan);
   double headingWindow() const;
   std::vector<PlaceFit> recognizeAnyhow(const PlaceMatcher& places, const LaidScan& scan,
                                         const std::vector<PlaceFit>& fits) const;
   std::function<bool(const Pose2d&)> placeNear(int session) const;
-  std::vector<Sighting> elsewhere(std::vector<Sighting> sightings, const LaidScan& scan) const;
+  void sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySearch& ways,
+               View& view) const;
   bool closeLoops(double way);
   void takeBack();
   PlaceBelief::Map beliefMap() const;
   void believe(NodeIndex at, const std::vector<PlaceFit>& fits, const LaidScan& scan);
-  bool outOfReach(NodeIndex at, PlaceId place, const Pose2d& pose) const;
-  void judgeLost(NodeIndex at, bool tracked, const std::vector<Sighting>& others);
+  ScanWitness witnessOf(const View& view) const;
+  void judgeLost(NodeIndex at, const View& view, ScanDecision& decision);
   void partWays();
   void beginApart();
   void tidy();
   void makePlaces();
+  ScanDecision lateDecision(NodeIndex at) const;
   void thinOut();
+  void remember(const std::vector<ScanNode>& before,
+                const std::vector<std::optional<NodeIndex>>& now);
   void afterRelaxing();
-  void name(NodeIndex at, ScanDecision& decision) const;
+  bool inDoubt(const View& view) const;
+  void name(NodeIndex at, const View& view, ScanDecision& decision) const;
+  std::string reasonOf(NodeIndex at, const View& view, const ScanDecision& decision) const;
 
   MapperOptions options_;
   DeadReckoning reckoning_;
@@ -153,22 +191,29 @@ class Mapper {
   ScanGraph graph_;
   PlaceShelf shelf_;
   ScanTying tying_;
+  NewestReadings newest_;
   LoopCloser closer_;
   ClosureCandidates loops_;  ///< within the session's own frame
-  ClosureCandidates joins_;  ///< with the map, while the session is apart
+  ClosureCandidates carried_;  ///< likewise, where odometry cannot have brought the robot
+  ClosureCandidates joins_;    ///< with the map, while the session is apart
   std::vector<ScanDecision> decisions_;
   std::vector<NodeIndex> undecided_;  ///< scans of which places may be made yet
   int session_ = 1;                   ///< in whose frame the robot's pose is
   int last_session_ = 1;
   bool first_of_session_ = true;
   NodeIndex first_of_drive_ = 0;
+  struct ThinnedScan {
+    ScanNode node;  ///< its pose is beside that place
+    PlaceId place;
+  };
+  std::vector<ThinnedScan> thinned_;
   std::optional<BaseMoment> last_middle_;  ///< of the newest node
   Pose2d newest_odom_;
   double anchored_way_ = 0.0;              ///< at the last tie
   std::chrono::nanoseconds map_stamp_{0};  ///< of the newest scan of the map that is localized in
-  int refused_ = 0;                        ///< closures since the last tie
   std::size_t scans_since_full_ = 0;
   bool ties_since_full_ = false;
+  bool compass_guides_ = false;  ///< to the map: what it errs by is known, and little everywhere
   LostEstimate lost_;
   PlaceBelief belief_;
 };

@@ -11,7 +11,10 @@ namespace {
 constexpr double kSurelyAnchored = 12.0;
 constexpr double kSurelyElsewhere = 0.82;  ///< probability of another place
 constexpr double kSurelyLost = 0.98;
-constexpr double kFarthestWay = 60.0;  ///< ways through the graph that are followed [m]
+constexpr double kDeviates = 0.45;        ///< of the compass, so that any heading is looked at [rad]
+constexpr double kDoubtful = 0.2;         ///< P(lost) from which no place is named
+constexpr NodeIndex kNodesBefore = 8;     ///< a scan's stretch and more
+constexpr NodeIndex kLongPart = 16;       ///< that is a way of its own
 constexpr double kRegion = 1.0;        ///< of a place, for the belief [m]
 constexpr std::size_t kMostTold = 32;  ///< places of a belief
 
@@ -61,60 +64,82 @@ BeliefSummary Mapper::belief() const {
   return summary;
 }
 
-bool Mapper::outOfReach(NodeIndex at, PlaceId place, const Pose2d& pose) const {
-  if (!shelf_.has(place)) return false;
-  const ScanNode& node = graph_.node(at);
-  const auto ways = graph_.ways(at, kFarthestWay);
-  const auto way = ways.find(shelf_.nodeOf(place));
-  if (way == ways.end()) return false;  // a loop that is not closed may lie anywhere
-  return std::hypot(pose.x - node.pose.x, pose.y - node.pose.y) >
-         1.0 + 4.0 * positionSigma(way->second, node.compass.has_value());
+ScanWitness Mapper::witnessOf(const View& view) const {
+  if (view.tracked) return ScanWitness::kAgrees;
+  // That the robot is elsewhere would be a loop to close.
+  const double untied = reckoning_.way() - anchored_way_;
+  if (untied >= kSurelyAnchored || graph_.ties().empty()) return ScanWitness::kSilent;
+  const ClosureCandidate* carried = carried_.foremost();
+  const bool again = carried && carried->witnesses.size() >= 2 &&
+                     carried->witnesses.back().node + 1 == graph_.nodes().size();
+  const bool sure = !view.beyond.empty() && view.beyond.front().probability >= kSurelyElsewhere;
+  const bool disagrees = view.agreement.contradicts;
+  if (again || sure) {
+    return view.at_place || disagrees ? ScanWitness::kElsewhere : ScanWitness::kDoubts;
+  }
+  if (disagrees) return ScanWitness::kContradicts;
+  return view.at_place ? ScanWitness::kMisses : ScanWitness::kSilent;
 }
 
-void Mapper::judgeLost(NodeIndex at, bool tracked, const std::vector<Sighting>& others) {
+void Mapper::judgeLost(NodeIndex at, const View& view, ScanDecision& decision) {
   const ScanNode& node = graph_.node(at);
-  if (!node.before || session_ != kMapSession) return;
-  const double untied = reckoning_.way() - anchored_way_;
-  const ClosureCandidate* loop = loops_.foremost();
-  ScanWitness witness = ScanWitness::kSilent;
-  if (tracked) {
-    witness = ScanWitness::kAgrees;
-  } else if (untied >= kSurelyAnchored || graph_.ties().empty()) {
-    witness = ScanWitness::kSilent;  // that the robot is elsewhere would be a loop to close
-  } else if ((!others.empty() && others.front().probability >= kSurelyElsewhere &&
-              outOfReach(at, others.front().place, others.front().pose)) ||
-             (loop && loop->witnesses.size() >= 2 && loop->witnesses.back().node == at &&
-              outOfReach(at, loop->witnesses.back().place,
-                         loop->target_from_estimate * node.pose))) {
-    witness = placeNear(session_)(node.pose) ? ScanWitness::kElsewhere : ScanWitness::kDoubts;
-  } else if (placeNear(session_)(node.pose)) {
-    witness = ScanWitness::kMisses;
-  }
-  lost_.update(witness, node.last_way - graph_.node(*node.before).last_way);
+  if (!node.before || session_ != kMapSession || node.session != kMapSession) return;
+  decision.witness = witnessOf(view);
+  lost_.update(decision.witness, node.last_way - graph_.node(*node.before).last_way);
   if (lost_.probability() > kSurelyLost) partWays();
 }
 
+bool Mapper::inDoubt(const View& view) const {
+  const bool agrees = view.agreement.newest.value_or(0.0) >= kAgrees;
+  return lost_.probability() > kDoubtful || !agrees;
+}
+
+/// What was driven since the last tie lies nobody knows where; but of a long way most was driven
+/// before the first scan that was known elsewhere, and is apart from what came after it.
 void Mapper::partWays() {
-  // What was driven since the last tie lies nobody knows where.
   NodeIndex first = graph_.nodes().size() - 1;
   while (first > 0 && graph_.node(first).before && !graph_.tied(*graph_.node(first).before)) {
     --first;
   }
+  NodeIndex cut = first;
+  const bool whole_map = first == 0;
+  const ClosureCandidate* carried = carried_.foremost();
+  const NodeIndex seen = carried ? carried->witnesses.front().node : 0;
+  if (seen > first + kNodesBefore + (whole_map ? 0 : kLongPart)) cut = seen - kNodesBefore;
+  if (cut == 0) {  // there would be no map left
+    carried_.clear();
+    return;
+  }
   // A place among it may be made of readings from before and after.
-  for (NodeIndex at = first; at < graph_.nodes().size(); ++at) {
+  for (NodeIndex at = cut; at < graph_.nodes().size(); ++at) {
     if (graph_.node(at).place != kNoPlace) shelf_.remove(graph_.node(at).place, graph_);
   }
-  graph_.cutBefore(first);
+  if (cut != first && !whole_map) {
+    graph_.cutBefore(first);
+    graph_.split(first, ++last_session_, Pose2d{});
+  }
+  graph_.cutBefore(cut);
+  ClosureCandidates known = carried_;
   beginApart();
-  graph_.split(first, session_, Pose2d{});
+  joins_.takeOver(known);
+  graph_.split(cut, session_, Pose2d{});
   shelf_.resort(graph_);
 }
 
 void Mapper::beginApart() {
   undecided_.clear();
   loops_.clear();
+  carried_.clear();
   joins_ = ClosureCandidates(options_.mode == MapperMode::kMap ? options_.join : options_.relocate);
   closer_.endTrial();
+  std::size_t known = 0;
+  compass_guides_ = std::all_of(
+      shelf_.places().begin(), shelf_.places().end(), [&](const auto& place) {
+        const std::optional<double> deviation = graph_.compassDeviation(place.second);
+        known += deviation ? 1 : 0;
+        return !deviation || std::abs(*deviation) < kDeviates;
+      });
+  compass_guides_ = compass_guides_ && known > 0;
   session_ = ++last_session_;
   lost_.set(0.0);
   belief_.reset();

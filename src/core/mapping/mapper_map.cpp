@@ -9,10 +9,10 @@
 namespace place_memory::core {
 namespace {
 
-constexpr int kCarried = 2;  ///< closures refused since the last tie
 constexpr double kLostAfterClosure = 0.05;
 /// No tie may be further off than three sigma: of three numbers together [sigma^2].
 constexpr double kFarOff = 14.2;
+constexpr double kRemembered = 3.0;  ///< places about by which a thinned scan is remembered [m]
 constexpr int kSteps = 15;  ///< of a relaxation after a change of what is known
 
 }  // namespace
@@ -33,11 +33,6 @@ bool Mapper::closeLoops(double way) {
   if (const ClosureCandidate* loop = loops_.accepted()) {
     closed = closer_.close(*loop, session_, session_, moves_map, way);
     if (!closed) loops_.dropForemost();
-    // Witnesses enough, and still odometry cannot have brought the robot there: it was carried.
-    if (!closed && ++refused_ >= kCarried && session_ == kMapSession && !graph_.ties().empty()) {
-      partWays();
-      return false;
-    }
   }
   if (!closed && session_ != kMapSession) {
     if (const ClosureCandidate* join = joins_.accepted()) {
@@ -53,6 +48,7 @@ bool Mapper::closeLoops(double way) {
     graph_.relaxRecent(kWindow);
   }
   loops_.clear();
+  carried_.clear();
   joins_.clear();
   lost_.set(kLostAfterClosure);
   return true;
@@ -96,13 +92,49 @@ void Mapper::afterRelaxing() {
 
 void Mapper::thinOut() {
   // Who refers to nodes by their indices is empty then, but for the shelf.
-  if (!loops_.empty() || !joins_.empty() || !undecided_.empty() || closer_.onTrial() != 0) return;
+  if (!loops_.empty() || !carried_.empty() || !joins_.empty() || !undecided_.empty() || closer_.onTrial() != 0) return;
+  const std::vector<ScanNode> before = options_.keep_way ? graph_.nodes() : std::vector<ScanNode>{};
   const auto now = thin(graph_, options_.thinning);
   if (!now) return;
+  remember(before, *now);
   shelf_.renumber(*now);
   const auto of_drive = now->begin() + static_cast<std::ptrdiff_t>(first_of_drive_);
   first_of_drive_ = static_cast<NodeIndex>(
       std::count_if(now->begin(), of_drive, [](const auto& kept) { return kept.has_value(); }));
+}
+
+void Mapper::remember(const std::vector<ScanNode>& before,
+                      const std::vector<std::optional<NodeIndex>>& now) {
+  for (NodeIndex at = first_of_drive_; at < before.size(); ++at) {
+    if (now[at]) continue;
+    const auto near = shelf_.near(before[at].pose, before[at].session, kRemembered, false);
+    if (near.empty()) continue;
+    thinned_.push_back({before[at], near.front().id});
+    ScanNode& node = thinned_.back().node;
+    const NodeIndex place = *now[shelf_.nodeOf(near.front().id)];
+    node.pose = graph_.node(place).pose.inverse() * node.pose;
+    node.readings.reset();
+    node.before.reset();
+  }
+}
+
+std::vector<ScanNode> Mapper::way() const {
+  std::vector<ScanNode> way;
+  for (const ThinnedScan& thinned : thinned_) {
+    if (!shelf_.has(thinned.place)) continue;
+    const ScanNode& place = graph_.node(shelf_.nodeOf(thinned.place));
+    way.push_back(thinned.node);
+    way.back().session = place.session;
+    way.back().pose = place.pose * thinned.node.pose;
+  }
+  for (NodeIndex at = first_of_drive_; at < graph_.nodes().size(); ++at) {
+    way.push_back(graph_.node(at));
+    way.back().readings.reset();
+    way.back().before.reset();
+  }
+  std::sort(way.begin(), way.end(),
+            [](const ScanNode& a, const ScanNode& b) { return a.stamp < b.stamp; });
+  return way;
 }
 
 void Mapper::restore(const KeptMap& map) {
@@ -129,17 +161,29 @@ void Mapper::restore(const KeptMap& map) {
   beginSession();
 }
 
+/// Of a scan that was told as something else before.
+ScanDecision Mapper::lateDecision(NodeIndex at) const {
+  ScanDecision decision;
+  decision.stamp = graph_.node(at).stamp;
+  decision.kind = ScanDecision::Kind::kNewPlace;
+  decision.place = graph_.node(at).place;
+  decision.lost = lost();
+  decision.reason = "no place was near, once it was clear which loops close";
+  return decision;
+}
+
 void Mapper::makePlaces() {
   const auto pending = [](const ClosureCandidates& candidates) {
     const ClosureCandidate* best = candidates.foremost();
     return best && best->witnesses.size() >= 2;
   };
-  if (pending(loops_) || pending(joins_)) return;
+  if (pending(loops_) || pending(carried_) || pending(joins_)) return;
   for (const NodeIndex at : undecided_) {
     const ScanNode& node = graph_.node(at);
-    if (shelf_.near(node.pose, node.session, options_.spacing, false).empty()) {
-      shelf_.add(at, graph_);
-    }
+    if (!shelf_.near(node.pose, node.session, options_.spacing, false).empty()) continue;
+    if (node.place != kNoPlace || !node.readings) continue;
+    shelf_.add(at, graph_);
+    if (at + 1 < graph_.nodes().size()) decisions_.push_back(lateDecision(at));
   }
   undecided_.clear();
 }

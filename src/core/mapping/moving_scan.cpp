@@ -99,19 +99,27 @@ std::optional<MovingScan> MovingScanBuilder::take() {
   last_scan_ = now;
 
   MovingScan scan;
-  scan.middle = stations_[middleOf(first)].moment;
+  const std::size_t middle = middleOf(first);
+  scan.middle = stations_[middle].moment;
   scan.first_way = stations_[first].moment.way;
   scan.last_way = now;
   scan.enough = enough;
   const Pose2d back = scan.middle.reckoned.inverse();
   auto readings = std::make_shared<std::vector<SonarReading>>();
   readings->reserve(count);
+  // By the golden section, which falls into step with no rhythm in which sonars take turns.
+  const double share = std::min(1.0, static_cast<double>(options_.most) /
+                                         static_cast<double>(std::max<std::size_t>(count, 1)));
+  double golden = 0.0;
   for (std::size_t i = first; i < stations_.size(); ++i) {
     const Pose2d middle_from_station = back * stations_[i].moment.reckoned;
     for (SonarReading reading : stations_[i].readings) {
+      golden = std::fmod(golden + 0.6180339887498949, 1.0);
+      if (golden >= share) continue;
       reading.sensor_pose = middle_from_station * reading.sensor_pose;
       readings->push_back(reading);
     }
+    if (i == middle) scan.first_newest = readings->size();
   }
   scan.readings = std::move(readings);
   return scan;

@@ -19,6 +19,7 @@ struct MovingScanOptions {
   double length_ahead = 4.5;  ///< likewise where all sonars look ahead [m]
   double longest = 6.0;       ///< it grows so far to have readings enough [m]
   std::size_t readings = 90;  ///< that are enough
+  std::size_t most = 180;     ///< readings; of more than these some are left out, evenly
 };
 
 /// Where the base is at one moment by odometry.
@@ -37,6 +38,7 @@ struct MovingScan {
   double last_way = 0.0;
   /// In the base's frame at the middle of the stretch.
   std::shared_ptr<const std::vector<SonarReading>> readings;
+  std::size_t first_newest = 0;  ///< of the readings, the first one from after the middle
   bool enough = true;  ///< false: fewer readings than asked for on the longest stretch
 };
 

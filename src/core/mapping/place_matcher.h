@@ -32,6 +32,8 @@ class PlaceMatcher {
   void takeAll(const PlaceMatcher& other);
   bool erase(PlaceId id);
   std::size_t size() const { return index_.size(); }
+  /// Of a place that is in the index.
+  CellPlanes cells(PlaceId id) const { return index_.cells(id); }
 
   /// The few best of all places, best first. `heading_window` [rad].
   std::vector<PlaceFit> recognize(const EvidenceGrid& scan, double heading_window) const;

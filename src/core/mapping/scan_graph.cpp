@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <queue>
 #include <unordered_set>
 #include <utility>
 
@@ -19,6 +17,8 @@ constexpr double kCompassSigma = 30.0 * kDegree;
 /// Ties of neighbouring scans err together, since those share readings.
 constexpr double kTieDoubt = 2.0;
 constexpr double kAgreed = 9.0;  ///< chi square up to which a tie is a way
+constexpr double kTieWay = 0.1;  // [m]
+constexpr double kAtPlace = 1.0;  ///< a scan's compass is that of the place [m]
 
 Eigen::Matrix3d motionInformation(double way, double turn) {
   const double root = std::sqrt(std::max(way, 0.05));
@@ -31,11 +31,9 @@ Eigen::Matrix3d motionInformation(double way, double turn) {
 
 }  // namespace
 
-double yawSigma(double way) { return 2.0 * kDegree * std::sqrt(way); }
-
 double positionSigma(double way, bool compass) {
   const double along = kPositionNoise * std::sqrt(way);
-  const double turned = yawSigma(way) * way / std::sqrt(3.0);
+  const double turned = 2.0 * kDegree * std::sqrt(way) * way / std::sqrt(3.0);
   return along + (compass ? std::min(turned, 0.3 * std::sqrt(way)) : turned);
 }
 
@@ -87,31 +85,34 @@ double ScanGraph::chiSquare(const Tie& tie) const {
   return error.dot(tie.information * error);
 }
 
-std::unordered_map<NodeIndex, double> ScanGraph::ways(NodeIndex from, double radius) const {
-  using Entry = std::pair<double, NodeIndex>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  std::unordered_map<NodeIndex, double> best;
-  open.push({0.0, from});
-  best[from] = 0.0;
-  const auto reach = [&](NodeIndex to, double way) {
-    if (way > radius) return;
-    const auto [found, is_new] = best.emplace(to, way);
-    if (!is_new && found->second <= way) return;
-    found->second = way;
-    open.push({way, to});
+std::optional<double> ScanGraph::compassDeviation(NodeIndex place) const {
+  double x = 0.0, y = 0.0;
+  const auto add = [&](const ScanNode& node) {
+    if (!node.compass) return;
+    const double deviation = *node.compass - node.pose.yaw;
+    x += std::cos(deviation);
+    y += std::sin(deviation);
   };
-  while (!open.empty()) {
-    const auto [way, at] = open.top();
-    open.pop();
-    if (way > best[at]) continue;
-    if (nodes_[at].before) reach(*nodes_[at].before, way + nodes_[at].motion_way);
-    for (const NodeIndex next : next_of_[at]) reach(next, way + nodes_[next].motion_way);
-    for (const std::size_t i : ties_of_[at]) {
-      const Tie& tie = ties_[i];
-      if (chiSquare(tie) <= kAgreed) reach(tie.place == at ? tie.node : tie.place, way + 0.1);
+  add(nodes_[place]);
+  for (const std::size_t i : ties_of_[place]) {
+    const Tie& tie = ties_[i];
+    if (tie.place == place && std::hypot(tie.relative.x, tie.relative.y) < kAtPlace) {
+      add(nodes_[tie.node]);
     }
   }
-  return best;
+  if (x == 0.0 && y == 0.0) return std::nullopt;
+  return std::atan2(y, x);
+}
+
+void ScanGraph::steps(NodeIndex from, std::vector<Step>& found) const {
+  found.clear();
+  if (nodes_[from].before) found.push_back({*nodes_[from].before, nodes_[from].motion_way});
+  for (const NodeIndex next : next_of_[from]) found.push_back({next, nodes_[next].motion_way});
+  for (const std::size_t i : ties_of_[from]) {
+    const Tie& tie = ties_[i];
+    if (chiSquare(tie) > kAgreed) continue;
+    found.push_back({tie.place == from ? tie.node : tie.place, kTieWay});
+  }
 }
 
 RelaxationProblem ScanGraph::problemOf(const std::vector<NodeIndex>& free, int session) const {
@@ -185,9 +186,10 @@ void ScanGraph::relaxAll(int session, int iterations) {
   problem.find_errors = true;
   RelaxationOptions options;
   options.iterations = iterations;
-  relax(problem, options);
+  const RelaxationResult result = relax(problem, options);
   for (std::size_t i = 0; i < all.size(); ++i) nodes_[all[i]].pose = problem.poses[i];
   errors_ = problem.errors;
+  if (result.error_sigmas) error_sigmas_ = *result.error_sigmas;
 }
 
 void ScanGraph::cutBefore(NodeIndex node) {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "core/map/kept_map.h"
@@ -11,9 +10,8 @@
 
 namespace place_memory::core {
 
-/// How far a way through the graph may lead astray [m], [rad]; by its length [m].
+/// How far a way through the graph leads a tracked robot astray [m]; by its length [m].
 double positionSigma(double way, bool compass);
-double yawSigma(double way);
 
 /// All scans of the way and what ties them; the owner of their poses.
 class ScanGraph {
@@ -24,6 +22,8 @@ class ScanGraph {
   const std::vector<Tie>& ties() const { return ties_; }
   bool tied(NodeIndex at) const { return !ties_of_[at].empty(); }
   const OdometryErrors& errors() const { return errors_; }
+  /// How well they are known: the closed loops tell.
+  const OdometryErrors& errorSigmas() const { return error_sigmas_; }
 
   NodeIndex append(const ScanNode& node);
   /// Takes the place of everything: as it was kept, or thinned. Indices are those in `nodes`.
@@ -36,14 +36,19 @@ class ScanGraph {
   template <typename Gone>
   void untie(const Gone& gone);
 
-  /// Lengths of the shortest ways from a node to others, up to `radius` [m]; a tie that the poses
-  /// agree with counts as no way.
-  std::unordered_map<NodeIndex, double> ways(NodeIndex from, double radius) const;
+  struct Step {
+    NodeIndex to;
+    double way;  ///< [m]
+  };
+  /// The nodes that odometry or a tie leads to; a tie that the poses agree with is hardly any way.
+  void steps(NodeIndex from, std::vector<Step>& found) const;
 
   /// Moves the newest `count` nodes of the session, the others held.
   void relaxRecent(std::size_t count);
   /// Moves all nodes of a session; its first stays.
   void relaxAll(int session, int iterations);
+  /// By how much the compass erred at a place, by the mean of what is tied to it [rad].
+  std::optional<double> compassDeviation(NodeIndex place) const;
   /// Squared distance of a tie from the poses [sigma^2].
   double chiSquare(const Tie& tie) const;
   /// Moves a whole session into another's frame.
@@ -64,6 +69,7 @@ class ScanGraph {
   std::vector<std::vector<std::size_t>> ties_of_;  ///< by node, of either end
   std::vector<std::vector<NodeIndex>> next_of_;    ///< by node, those that came from it
   OdometryErrors errors_;
+  OdometryErrors error_sigmas_{kBendSigma, kTurnFactorSigma};
 };
 
 template <typename Gone>

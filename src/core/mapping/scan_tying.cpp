@@ -18,8 +18,9 @@ constexpr int kMostTies = 4;
 constexpr double kTieNoise = 0.06;  // [m]
 constexpr double kTieTurnNoise = 2.0 * kDegree;
 constexpr double kTieTurn = 10.0 * kDegree;
+constexpr double kDeviates = 45.0 * kDegree;  ///< from what the compass showed there before
+constexpr double kDeviating = 0.2;            ///< share of a probability that remains then
 constexpr double kTrackWindow = 15.0 * kDegree;
-constexpr double kFarthest = 80.0;  ///< ways through the graph that are followed [m]
 
 /// The grid's content moved by whole cells.
 EvidenceGrid shifted(const EvidenceGrid& grid, CellShift shift) {
@@ -49,7 +50,7 @@ Pose2d turnOf(double yaw) { return {0.0, 0.0, yaw}; }
 LaidScan ScanTying::lay(NodeIndex node, const Pose2d& map_from_base) const {
   return {sonar_.build(movedReadings(*graph_.node(node).readings, turnOf(map_from_base.yaw)),
                        geometry_),
-          map_from_base};
+          map_from_base, graph_.node(node).compass};
 }
 
 std::vector<Sighting> ScanTying::sightings(const std::vector<PlaceFit>& fits,
@@ -58,21 +59,25 @@ std::vector<Sighting> ScanTying::sightings(const std::vector<PlaceFit>& fits,
   seen.reserve(fits.size());
   for (const PlaceFit& fit : fits) {
     const ScanNode& place = graph_.node(shelf_.nodeOf(fit.id));
-    seen.push_back({fit.id, fit.probability,
-                    place.pose * turnOf(-place.laid_yaw) * fit.place_from_scan *
-                        turnOf(scan.map_from_base.yaw)});
+    Sighting sighting{fit.id, fit.probability,
+                      place.pose * turnOf(-place.laid_yaw) * fit.place_from_scan *
+                          turnOf(scan.map_from_base.yaw)};
+    const std::optional<double> deviation = graph_.compassDeviation(shelf_.nodeOf(fit.id));
+    if (scan.compass && deviation &&
+        std::abs(wrapAngle(*scan.compass - sighting.pose.yaw - *deviation)) > kDeviates) {
+      sighting.probability *= kDeviating;
+    }
+    seen.push_back(sighting);
   }
   return seen;
 }
 
 bool ScanTying::track(NodeIndex node, const LaidScan& scan, const std::vector<PlaceFit>& fits,
-                      int closure) {
+                      WaySearch& ways, int closure) {
   const Pose2d& estimate = scan.map_from_base;
   const bool compass = graph_.node(node).compass.has_value();
-  const auto ways = graph_.ways(node, kFarthest);
   const auto sigmaTo = [&](PlaceId id) {
-    const auto way = ways.find(shelf_.nodeOf(id));
-    return positionSigma(way == ways.end() ? kFarthest : way->second, compass);
+    return positionSigma(ways.to(shelf_.nodeOf(id)).value_or(kFarthestWay), compass);
   };
   const std::vector<Sighting> seen = sightings(fits, scan);
   const bool there = std::any_of(seen.begin(), seen.end(), [&](const Sighting& sighting) {

@@ -1,11 +1,13 @@
 #ifndef PLACE_MEMORY_CORE_MAPPING_SCAN_TYING_H
 #define PLACE_MEMORY_CORE_MAPPING_SCAN_TYING_H
 
+#include <optional>
 #include <vector>
 
 #include "core/mapping/closure_candidates.h"
 #include "core/mapping/place_shelf.h"
 #include "core/mapping/scan_graph.h"
+#include "core/mapping/way_search.h"
 #include "place_memory/core/sonar_model.h"
 
 namespace place_memory::core {
@@ -14,6 +16,7 @@ namespace place_memory::core {
 struct LaidScan {
   EvidenceGrid grid;
   Pose2d map_from_base;
+  std::optional<double> compass;  ///< that it showed [rad]
 };
 
 /// Ties scans to places by where their grids align.
@@ -26,13 +29,16 @@ class ScanTying {
   /// Lays a node's readings out where it would stand at `map_from_base`.
   LaidScan lay(NodeIndex node, const Pose2d& map_from_base) const;
 
-  /// Where the fits of a scan put the robot.
+  /// Where the fits of a scan put the robot. By how much the compass errs is bound to the place: a
+  /// fit by which it would err otherwise than it did there is hardly probable.
   std::vector<Sighting> sightings(const std::vector<PlaceFit>& fits, const LaidScan& scan) const;
 
   /// Whether one of the fits is where the robot is thought to be, as far as odometry can tell since
   /// it was at that place; then the scan is tied to the places about. `closure`: on which closure
   /// all of this rests, 0: none.
-  bool track(NodeIndex node, const LaidScan& scan, const std::vector<PlaceFit>& fits, int closure);
+  /// `ways`: from the node.
+  bool track(NodeIndex node, const LaidScan& scan, const std::vector<PlaceFit>& fits,
+             WaySearch& ways, int closure);
 
   /// Ties the node to a place where that aligns within `near` [m] of where the robot is thought to
   /// be; `window` is how far the heading may be off [rad].

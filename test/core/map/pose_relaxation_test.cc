@@ -101,6 +101,29 @@ TEST(PoseRelaxation, FindsTheBendAndTheTurnFactorOfTheWheels) {
   EXPECT_LT(laps.rmse(), 0.3);
 }
 
+TEST(PoseRelaxation, SaysHowWellItKnowsTheErrorsOfTheWheels) {
+  const OdometryErrors errors{0.3 * kDegree, 0.02};
+  for (unsigned seed = 7; seed < 13; ++seed) {
+    Laps laps(seed);
+    laps.drive(4, errors, 0.005, 0.1 * kDegree, true);
+    laps.tieLaps(160);
+    for (RelativePose& relative : laps.problem.relatives) relative.doubt = 0.0;
+    laps.problem.find_errors = true;
+    const RelaxationResult result = relax(laps.problem, {40, 1e-5});
+    ASSERT_TRUE(result.error_sigmas);
+    EXPECT_LT(result.error_sigmas->bend, 0.5 * kBendSigma);
+    EXPECT_LT(result.error_sigmas->turn_factor, 0.5 * kTurnFactorSigma);
+    EXPECT_LT(std::abs(laps.problem.errors.bend - errors.bend), 4.0 * result.error_sigmas->bend);
+    EXPECT_LT(std::abs(laps.problem.errors.turn_factor - errors.turn_factor),
+              4.0 * result.error_sigmas->turn_factor);
+  }
+  // Before a loop is closed nothing is known.
+  Laps straight(2);
+  straight.drive(1, errors, 0.005, 0.1 * kDegree);
+  straight.problem.find_errors = true;
+  EXPECT_NEAR(relax(straight.problem).error_sigmas->bend, kBendSigma, 0.1 * kBendSigma);
+}
+
 TEST(PoseRelaxation, OneFalseTieInTenIsOutvoted) {
   for (unsigned seed = 11; seed <= 14; ++seed) {
     Laps clean(seed), faulty(seed);

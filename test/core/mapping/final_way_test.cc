@@ -21,7 +21,7 @@ ScanNode makeNode(int stamp, const Pose2d& odom_from_base, const Pose2d& pose) {
 TEST(FinalWay, SpreadsWhatTwoScansSayOverTheWayBetweenThem) {
   const std::vector<ScanNode> nodes = {makeNode(100, {0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}),
                                        makeNode(200, {1.0, 0.0, 0.0}, {6.0, 0.4, 0.2})};
-  const FinalWay way(nodes, 0);
+  const FinalWay way(nodes);
   EXPECT_NEAR(way.at(nanoseconds(100), {0.0, 0.0, 0.0}).x, 5.0, 1e-12);
   const Pose2d half = way.at(nanoseconds(150), {1.0, 0.0, 0.0});
   EXPECT_NEAR(half.x, 6.0, 1e-12);
@@ -32,18 +32,17 @@ TEST(FinalWay, SpreadsWhatTwoScansSayOverTheWayBetweenThem) {
 }
 
 TEST(FinalWay, GoesOnByOdometryBeforeTheFirstScanAndAfterTheLast) {
-  const FinalWay way({makeNode(100, {1.0, 0.0, 0.0}, {5.0, 0.0, kPi / 2.0})}, 0);
+  const FinalWay way({makeNode(100, {1.0, 0.0, 0.0}, {5.0, 0.0, kPi / 2.0})});
   EXPECT_NEAR(way.at(nanoseconds(50), {0.5, 0.0, 0.0}).y, -0.5, 1e-12);
   EXPECT_NEAR(way.at(nanoseconds(500), {3.0, 0.0, 0.0}).y, 2.0, 1e-12);
 }
 
-TEST(FinalWay, LeavesOutEarlierDrivesAndWhatIsNotJoinedToTheMap) {
-  std::vector<ScanNode> nodes = {makeNode(100, {}, {5.0, 0.0, 0.0}),
-                                 makeNode(50, {}, {7.0, 0.0, 0.0}),
+TEST(FinalWay, LeavesOutWhatIsNotJoinedToTheMap) {
+  std::vector<ScanNode> nodes = {makeNode(50, {}, {7.0, 0.0, 0.0}),
                                  makeNode(60, {}, {9.0, 0.0, 0.0})};
-  nodes[2].session = 2;
-  EXPECT_NEAR(FinalWay(nodes, 1).at(nanoseconds(100), {}).x, 7.0, 1e-12);
-  EXPECT_TRUE(FinalWay(nodes, 2).empty());
+  nodes[1].session = 2;
+  EXPECT_NEAR(FinalWay(nodes).at(nanoseconds(100), {}).x, 7.0, 1e-12);
+  EXPECT_TRUE(FinalWay({nodes[1]}).empty());
 }
 
 }  // namespace

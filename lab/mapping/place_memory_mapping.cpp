@@ -1,0 +1,86 @@
+// Drives simulated robots about simulated buildings while they map, and prints tables of what came
+// of it.
+#include <boost/program_options.hpp>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "mapping/suites.h"
+
+namespace po = boost::program_options;
+using namespace place_memory;
+
+namespace place_memory::mapping {
+
+const std::map<std::string, std::function<experiments::Table(const SuiteOptions&)>>& suites() {
+  static const std::map<std::string, std::function<experiments::Table(const SuiteOptions&)>> kAll{
+      {"drives", driveSuite},     {"sonars", sonarSuite}, {"kidnaps", kidnapSuite},
+      {"starts", startSuite},     {"sessions", sessionSuite}, {"links", linkSuite},
+      {"soak", soakSuite},        {"fit_lost", lostFit}};
+  return kAll;
+}
+
+}  // namespace place_memory::mapping
+
+namespace {
+
+int run(const po::variables_map& given, mapping::SuiteOptions options) {
+  const std::string name = given["suite"].as<std::string>();
+  const auto suite = mapping::suites().find(name);
+  if (suite == mapping::suites().end()) {
+    std::string names;
+    for (const auto& [known, run] : mapping::suites()) names += " " + known;
+    throw std::runtime_error("there is no suite " + name + "; there are:" + names);
+  }
+  options.compass = given.count("no-compass") == 0;
+  if (given.count("world")) options.names = given["world"].as<std::vector<std::string>>();
+  const experiments::Table table = suite->second(options);
+  if (given.count("csv")) {
+    table.writeCsv(std::cout);
+  } else {
+    table.writeMarkdown(std::cout);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    mapping::SuiteOptions suite;
+    po::options_description options("usage: place_memory_mapping SUITE [options]");
+    options.add_options()("help", "show this")(
+        "suite", po::value<std::string>()->required(),
+        "drives, sonars, kidnaps, starts, sessions, links or soak")(
+        "world", po::value<std::vector<std::string>>()->multitoken(),
+        "those to drive about in: corridor, open_plan, laboratory, home, cells, half_turn, or a "
+        "world file's name")("worlds",
+                             po::value(&suite.worlds)->default_value("config/worlds"),
+                             "folder of world files")(
+        "first-seed", po::value(&suite.first_seed)->default_value(suite.first_seed),
+        "of buildings and drives")("seeds", po::value(&suite.seeds)->default_value(suite.seeds),
+                                   "drives in each world")(
+        "way", po::value(&suite.way)->default_value(suite.way), "of a drive [m]")(
+        "scale-sigma",
+        po::value(&suite.noise.scale_sigma)->default_value(suite.noise.scale_sigma),
+        "of odometry's distances")(
+        "yaw-noise", po::value(&suite.noise.yaw_noise)->default_value(suite.noise.yaw_noise),
+        "of odometry [rad by the root of the way in m]")("no-compass", "robots have none")(
+        "csv", "print comma separated values");
+    po::positional_options_description places;
+    places.add("suite", 1);
+    po::variables_map given;
+    po::store(po::command_line_parser(argc, argv).options(options).positional(places).run(), given);
+    if (given.count("help")) {
+      std::cout << options;
+      return 0;
+    }
+    po::notify(given);
+    return run(given, suite);
+  } catch (const std::exception& error) {
+    std::cerr << "place_memory_mapping: " << error.what() << '\n';
+    return 1;
+  }
+}

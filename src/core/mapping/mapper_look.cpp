@@ -1,0 +1,92 @@
+// What a scan shows of where the robot is.
+#include <algorithm>
+#include <cmath>
+
+#include "core/mapping/mapper.h"
+#include "core/mapping/odometry_reach.h"
+
+namespace place_memory::core {
+namespace {
+
+constexpr double kDegree = kPi / 180.0;
+constexpr double kAtPlace = 0.6;        ///< so near to a place a scan should show it [m]
+constexpr double kCompassWindow = 45.0 * kDegree;
+constexpr double kCompassAgrees = 30.0 * kDegree;
+constexpr double kUseful = 0.3;      ///< probability of a match that is worth something
+constexpr double kLongUntied = 5.0;  ///< way after which every heading is looked at [m]
+
+// Of the way's covariance: beyond the farthest a loop is none, but the robot was carried; up to the
+// free ones it costs no evidence.
+constexpr double kFreeSigmas = 1.5;
+constexpr double kFarthestSigmas = 4.5;
+
+}  // namespace
+
+double Mapper::headingWindow() const {
+  const ScanNode& node = graph_.nodes().back();
+  if (!node.compass) return kCompassWindow;
+  if (session_ != kMapSession && !compass_guides_) return kPi;
+  const bool agrees = std::abs(wrapAngle(*node.compass - node.pose.yaw)) < kCompassAgrees;
+  return agrees ? kCompassWindow : kPi;
+}
+
+std::vector<PlaceFit> Mapper::recognizeAnyhow(const PlaceMatcher& places, const LaidScan& scan,
+                                              const std::vector<PlaceFit>& fits) const {
+  const bool sure = !fits.empty() && fits.front().probability >= kUseful;
+  const bool compass = graph_.nodes().back().compass.has_value();
+  if (sure || compass || reckoning_.way() - anchored_way_ < kLongUntied) return fits;
+  return places.recognize(scan.grid, kPi);
+}
+
+void Mapper::lookForOwnSession(NodeIndex at, View& view) {
+  const PlaceMatcher* own = shelf_.matcher(session_);
+  if (!own) return;
+  const std::vector<PlaceFit> fits = own->recognize(view.laid.grid, headingWindow());
+  if (session_ == kMapSession) believe(at, fits, view.laid);
+  WaySearch ways(graph_, at, kFarthestWay);
+  // A scan that was begun where the robot was carried from still looks like there.
+  if (!view.agreement.contradicts) {
+    view.tracked = tying_.track(at, view.laid, fits, ways, closer_.onTrial());
+  }
+  view.best = fits.empty() ? 0.0 : fits.front().probability;
+  sortOut(tying_.sightings(view.tracked ? fits : recognizeAnyhow(*own, view.laid, fits), view.laid),
+          at, ways, view);
+}
+
+Mapper::View Mapper::look(NodeIndex at, const MovingScan& scan) {
+  View view{tying_.lay(at, graph_.node(at).pose)};
+  view.readings = scan.readings->size();
+  view.enough = scan.enough;
+  view.at_place = placeNear(session_)(view.laid.map_from_base);
+  view.agreement = newest_.agree(at, scan.first_newest);
+  lookForOwnSession(at, view);
+  return view;
+}
+
+std::function<bool(const Pose2d&)> Mapper::placeNear(int session) const {
+  return [this, session](const Pose2d& pose) {
+    return !shelf_.near(pose, session, kAtPlace, true).empty();
+  };
+}
+
+void Mapper::sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySearch& ways,
+                     View& view) const {
+  const Pose2d& here = view.laid.map_from_base;
+  const ScanNode& node = graph_.node(at);
+  const bool compass =
+      node.compass && std::abs(wrapAngle(*node.compass - node.pose.yaw)) < kCompassAgrees;
+  for (Sighting seen : sightings) {
+    if (std::hypot(seen.pose.x - here.x, seen.pose.y - here.y) < 0.5 &&
+        std::abs(wrapAngle(seen.pose.yaw - here.yaw)) < 15.0 * kDegree) {
+      continue;
+    }
+    const NodeIndex place = shelf_.nodeOf(seen.place);
+    // What no way leads to may lie anywhere.
+    const double off =
+        ways.to(place) ? sigmasOff(graph_, ways.along(place), compass, seen.pose) : 0.0;
+    seen.prior = -0.5 * std::max(0.0, off * off - kFreeSigmas * kFreeSigmas);
+    (off <= kFarthestSigmas ? view.loops : view.beyond).push_back(seen);
+  }
+}
+
+}  // namespace place_memory::core

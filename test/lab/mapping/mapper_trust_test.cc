@@ -1,0 +1,73 @@
+// What the mapper says can be trusted: where buildings look alike, where it was carried, and where
+// its map holds what is wrong.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mapping/mapping_figures.h"
+#include "mapping/mapping_worlds.h"
+#include "trials/simulated_drive.h"
+
+namespace place_memory::mapping {
+namespace {
+
+using core::kPi;
+
+const std::string kWorlds = std::string(PLACE_MEMORY_SOURCE_DIR) + "/config/worlds";
+
+trials::DriveRecipe recipe(double way) {
+  trials::DriveRecipe recipe;
+  recipe.way = way;
+  recipe.people = 0;
+  recipe.changes = false;
+  recipe.yaw_noise = 3.0 * kPi / 180.0;
+  return recipe;
+}
+
+class HalfTurn : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(HalfTurn, ARoomThatLooksTheSameTurnedByHalfATurnIsNotClosedSo) {
+  core::Mapper mapper(mapperOptions());
+  Truth truth;
+  DrivePart part;
+  part.compass = false;
+  const MappingRun run = drive(
+      mapper, trials::simulateDrive(halfTurnRoom(), {}, recipe(90.0), GetParam()), part, truth);
+  const MappingFigures found = figures(mapper, run, truth);
+  EXPECT_EQ(found.false_ties, 0U);
+  EXPECT_EQ(found.wrong, 0U);
+  EXPECT_GT(found.answers, 60U);
+  EXPECT_LT(found.final, 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, HalfTurn, testing::Values(1, 2));
+
+TEST(MapperTrust, CellsThatAreAlikeAreKeptApart) {
+  core::Mapper mapper(mapperOptions());
+  Truth truth;
+  DrivePart part;
+  part.compass = false;
+  const MappingRun run = drive(
+      mapper, trials::simulateDrive(alikeCells(4, 11), {}, recipe(120.0), 11), part, truth);
+  const MappingFigures found = figures(mapper, run, truth);
+  EXPECT_EQ(found.false_ties, 0U);
+  EXPECT_EQ(found.wrong, 0U);
+}
+
+TEST(MapperTrust, CarriedAwayItNamesNoPlaceWhereItIsNot) {
+  trials::DriveRecipe carried = recipe(140.0);
+  carried.carried = {80.0};
+  core::Mapper mapper(mapperOptions());
+  Truth truth;
+  const MappingRun run = drive(
+      mapper, trials::simulateDrive(mappingWorld("office", 0, kWorlds), {}, carried, 21), {}, truth);
+  EXPECT_EQ(figures(mapper, run, truth).wrong, 0U);
+  LostFigures lost;
+  lost.add(run);
+  EXPECT_EQ(lost.losses, 1U);
+  EXPECT_EQ(lost.said, 1U);
+  EXPECT_TRUE(mapper.mapFromOdom());
+}
+
+}  // namespace
+}  // namespace place_memory::mapping
