@@ -30,6 +30,8 @@ SERVICES = {
     "remove_place": srv.RemovePlace,
     "clear": srv.Clear,
     "get_graph": srv.GetGraph,
+    "set_mode": srv.SetMode,
+    "relocalize": srv.Relocalize,
 }
 
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/memory/change_queue.h"
+#include "core/memory/driven_places.h"
 #include "core/memory/learned_scans.h"
 #include "core/memory/map_writer.h"
 #include "core/memory/whereabouts.h"
@@ -20,7 +21,8 @@
 namespace place_memory::core {
 
 /// What PlaceMemory does, by the names that it has there. Learning is in place_learning.cpp,
-/// recognizing in place_recognition.cpp, the rest in place_memory.cpp.
+/// recognizing in place_recognition.cpp, what belongs to a drive in place_driving.cpp, the rest in
+/// place_memory.cpp.
 class PlaceMemory::Impl {
  public:
   Impl(const PlaceMemoryOptions& options, PlaceStore store);
@@ -34,6 +36,10 @@ class PlaceMemory::Impl {
   std::size_t clear();
   EvidenceGrid grid(PlaceId id);
   void forgetWhereabouts();
+  KeptMap drivenMap();
+  void keep(const KeptMap& map);
+  void keepNewPlaces(const KeptMap& map);
+  void followDrive(const std::optional<DriveWhereabouts>& whereabouts);
 
   MapWriter& writer() { return writer_; }
 
@@ -80,6 +86,7 @@ class PlaceMemory::Impl {
   std::size_t join(const SessionJoin& join, std::vector<MapEdit>& edits) const;
   void traverse(const Following& following, std::vector<MapEdit>& edits) const;
   bool fold(const Following& following, std::vector<MapEdit>& edits);
+  SessionId mapSession() const;
 
   const double cell_size_;
   const bool located_;
@@ -93,6 +100,7 @@ class PlaceMemory::Impl {
   // For works of the queue, which alone change state_.map.
   MapWriter writer_;
   LearnedScans learned_scans_;
+  DrivenPlaces driven_places_;
   std::optional<std::chrono::nanoseconds> last_folded_;  ///< when that scan ended
 
   ChangeQueue queue_;  ///< ends before what it works on

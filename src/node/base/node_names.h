@@ -7,6 +7,7 @@ namespace place_memory::node {
 
 // Relative.
 constexpr char kCommandTopic[] = "cmd_vel";
+constexpr char kInitialPoseTopic[] = "initialpose";
 
 // Private: below the node's own name.
 constexpr char kScanAction[] = "scan";
@@ -19,6 +20,9 @@ constexpr char kPlaceMarkersTopic[] = "place_markers";
 constexpr char kRecognitionTopic[] = "recognition";
 constexpr char kCurrentPlaceTopic[] = "current_place";
 constexpr char kPoseTopic[] = "pose";
+constexpr char kModeTopic[] = "mode";
+constexpr char kBeliefTopic[] = "belief";
+constexpr char kEventsTopic[] = "events";
 
 constexpr char kLearnPlaceService[] = "learn_place";
 constexpr char kRecognizePlaceService[] = "recognize_place";
@@ -27,6 +31,8 @@ constexpr char kRenamePlaceService[] = "rename_place";
 constexpr char kRemovePlaceService[] = "remove_place";
 constexpr char kClearService[] = "clear";
 constexpr char kGetGraphService[] = "get_graph";
+constexpr char kSetModeService[] = "set_mode";
+constexpr char kRelocalizeService[] = "relocalize";
 
 }  // namespace place_memory::node
 
