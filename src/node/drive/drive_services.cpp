@@ -55,9 +55,7 @@ DriveServices::DriveServices(const ros::NodeHandle& names, const ros::NodeHandle
         return true;
       };
   servers_.push_back(own.advertiseService(kRelocalizeService, relocalize));
-  const boost::function<void(const ros::MessageEvent<InitialPose const>&)> take =
-      [this](const ros::MessageEvent<InitialPose const>& event) { onInitialPose(event); };
-  initialpose_ = relative.subscribe(kInitialPoseTopic, 1, take);
+  initialpose_ = relative.subscribe(kInitialPoseTopic, 1, &DriveServices::onInitialPose, this);
 }
 
 DriveServices::~DriveServices() { spinner_.stop(); }
