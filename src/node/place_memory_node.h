@@ -7,6 +7,7 @@
 #include <ros/wall_timer.h>
 #include <tf2/buffer_core.h>
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,9 @@
 #include "node/answer/route_services.h"
 #include "node/answer/store_services.h"
 #include "node/base/guarded_queue.h"
+#include "node/drive/drive_publisher.h"
+#include "node/drive/drive_services.h"
+#include "node/drive/map_driver.h"
 #include "node/input/transform_input.h"
 #include "node/live_parameters.h"
 #include "node/map/fused_map_publisher.h"
@@ -46,9 +50,12 @@ class PlaceMemoryNode {
  private:
   std::unique_ptr<core::PlaceMemory> openMemory();
   ScanServer::Callbacks scanCallbacks();
+  MapDriver::Callbacks driveCallbacks();
   void publishScan(const core::Scan& scan);
   void dropScans();
   std::optional<core::Pose2d> locateRobot() const;
+  std::optional<core::Pose2d> mapFromOdom() const;
+  void publishStep(const MapDriver::Step& step);
   void setUpDiagnostics();
   void onDiagnosticsTimer();
   void sayWhatIsKnown() const;
@@ -63,12 +70,15 @@ class PlaceMemoryNode {
   KeptScans scans_;
   SensorExaminer examiner_;
   tf2::BufferCore buffer_;
-  TransformInput transforms_;
   ros::Publisher scan_grid_;
   ros::Publisher scan_cells_;
   AnswerPublisher answer_publisher_;
+  DrivePublisher drive_publisher_;
   MapPublisher map_publisher_;
   FusedMapPublisher fused_map_publisher_;
+  std::chrono::nanoseconds published_pose_{0};  ///< stamp of the newest one of the drive
+  MapDriver driver_;
+  TransformInput transforms_;
   MapFrameBroadcaster map_frame_broadcaster_;
   ScanServer scan_server_;
   LiveParameters live_parameters_;
@@ -76,7 +86,8 @@ class PlaceMemoryNode {
   ros::SteadyTimer diagnostics_timer_;
   ros::SteadyTimer health_timer_;
   int ticks_without_time_ = 0;
-  PlaceServices services_;  ///< ends with the next two: all changes come from there
+  DriveServices drive_services_;
+  PlaceServices services_;  ///< ends with the next two: changes come from there
   RouteServices route_services_;
   StoreServices store_services_;
 };

@@ -11,10 +11,10 @@ namespace {
 constexpr double kSurelyAnchored = 12.0;
 constexpr double kSurelyElsewhere = 0.82;  ///< probability of another place
 constexpr double kSurelyLost = 0.98;
-constexpr double kDeviates = 0.45;        ///< of the compass, so that any heading is looked at [rad]
-constexpr double kDoubtful = 0.2;         ///< P(lost) from which no place is named
-constexpr NodeIndex kNodesBefore = 8;     ///< a scan's stretch and more
-constexpr NodeIndex kLongPart = 16;       ///< that is a way of its own
+constexpr double kDeviates = 0.45;     ///< of the compass, so that any heading is looked at [rad]
+constexpr double kDoubtful = 0.2;      ///< P(lost) from which no place is named
+constexpr NodeIndex kNodesBefore = 8;  ///< a scan's stretch and more
+constexpr NodeIndex kLongPart = 16;    ///< that is a way of its own
 constexpr double kRegion = 1.0;        ///< of a place, for the belief [m]
 constexpr std::size_t kMostTold = 32;  ///< places of a belief
 
@@ -97,6 +97,7 @@ bool Mapper::inDoubt(const View& view) const {
 /// What was driven since the last tie lies nobody knows where; but of a long way most was driven
 /// before the first scan that was known elsewhere, and is apart from what came after it.
 void Mapper::partWays() {
+  note(MapperEvent::Kind::kLost);
   NodeIndex first = graph_.nodes().size() - 1;
   while (first > 0 && graph_.node(first).before && !graph_.tied(*graph_.node(first).before)) {
     --first;
@@ -133,8 +134,8 @@ void Mapper::beginApart() {
   joins_ = ClosureCandidates(options_.mode == MapperMode::kMap ? options_.join : options_.relocate);
   closer_.endTrial();
   std::size_t known = 0;
-  compass_guides_ = std::all_of(
-      shelf_.places().begin(), shelf_.places().end(), [&](const auto& place) {
+  compass_guides_ =
+      std::all_of(shelf_.places().begin(), shelf_.places().end(), [&](const auto& place) {
         const std::optional<double> deviation = graph_.compassDeviation(place.second);
         known += deviation ? 1 : 0;
         return !deviation || std::abs(*deviation) < kDeviates;

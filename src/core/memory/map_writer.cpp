@@ -116,9 +116,26 @@ std::vector<PastChange> MapWriter::undo(std::size_t count) {
   return changes;
 }
 
+void MapWriter::commitDriven(std::vector<MapEdit> edits, const KeptMap* scans) {
+  if (!edits.empty()) {
+    const MapChange change = changeOf(std::move(edits));
+    keep([&](PlaceStore& store) {
+      scans != nullptr ? store.commit(change, *scans) : store.commit(change);
+    });
+    show(change, nullptr);
+  } else if (scans != nullptr) {
+    const MapChange nothing{state_.map.version(), state_.map.stamp(), {}};
+    keep([&](PlaceStore& store) { store.commit(nothing, *scans); });
+  }
+}
+
 void MapWriter::make(const MapChange& change, const HistoryEdit& history,
                      const std::function<void()>& settle) {
-  keep(change, history);
+  keep([&](PlaceStore& store) { store.commit(change, history); });
+  show(change, settle);
+}
+
+void MapWriter::show(const MapChange& change, const std::function<void()>& settle) {
   apply(change, settle);
   std::vector<PlaceMemory::Listener> listeners;
   {
@@ -128,9 +145,9 @@ void MapWriter::make(const MapChange& change, const HistoryEdit& history,
   tell(listeners, change);
 }
 
-void MapWriter::keep(const MapChange& change, const HistoryEdit& history) {
+void MapWriter::keep(const std::function<void(PlaceStore&)>& commit) {
   try {
-    store_.commit(change, history);
+    commit(store_);
   } catch (const StoreError& error) {
     report(error.what());
     refuse(error);

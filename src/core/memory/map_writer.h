@@ -58,6 +58,10 @@ class MapWriter {
   void commit(std::vector<MapEdit> edits, const std::function<void()>& settle = nullptr,
               const std::string& words = "");
 
+  /// Makes the edits of a drive one change, which is in no history. `scans`, where given, take the
+  /// place of those in the store, also where there is no edit. Throws likewise.
+  void commitDriven(std::vector<MapEdit> edits, const KeptMap* scans);
+
   /// Takes back the newest changes of the history, all in one change, and returns them. Throws
   /// PlaceMemoryError; nothing is changed then.
   std::vector<PastChange> undo(std::size_t count);
@@ -72,7 +76,8 @@ class MapWriter {
   HistoryEdit historyOf(const MapChange& change, const std::string& words) const;
   void make(const MapChange& change, const HistoryEdit& history,
             const std::function<void()>& settle);
-  void keep(const MapChange& change, const HistoryEdit& history);
+  void keep(const std::function<void(PlaceStore&)>& commit);
+  void show(const MapChange& change, const std::function<void()>& settle);
   void apply(const MapChange& change, const std::function<void()>& settle);
   [[noreturn]] void refuse(const StoreError& error);
   void report(const std::string& problem);

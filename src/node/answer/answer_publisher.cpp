@@ -1,6 +1,5 @@
 #include "node/answer/answer_publisher.h"
 
-#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <ros/console.h>
 #include <std_msgs/String.h>
 #include <visualization_msgs/Marker.h>
@@ -66,6 +65,11 @@ void AnswerPublisher::overtake() {
   const core::Whereabouts whereabouts = memory_.whereabouts();
   newest_ = whereabouts.version;
   publishCurrentPlaceLocked(whereabouts);
+}
+
+void AnswerPublisher::publishPose(const geometry_msgs::PoseWithCovarianceStamped& pose) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  pose_.publish(pose);
 }
 
 void AnswerPublisher::publishCurrentPlace() {

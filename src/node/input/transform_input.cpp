@@ -13,8 +13,9 @@ constexpr std::uint32_t kQueueLength = 100;
 
 }  // namespace
 
-TransformInput::TransformInput(const ros::NodeHandle& names, tf2::BufferCore& buffer)
-    : buffer_(buffer), names_(names) {
+TransformInput::TransformInput(const ros::NodeHandle& names, tf2::BufferCore& buffer,
+                               Listener listener)
+    : buffer_(buffer), listener_(std::move(listener)), names_(names) {
   names_.setCallbackQueue(&queue_);
   const auto subscribe = [this](const char* topic, bool is_static) {
     // Not yet read, so that its lengths are looked at first.
@@ -44,6 +45,9 @@ void TransformInput::take(const RawMessage& message, bool is_static) {
 }
 
 void TransformInput::add(const tf2_msgs::TFMessage& message, bool is_static) {
+  if (listener_) {
+    for (const auto& transform : message.transforms) listener_(transform, is_static);
+  }
   const std::chrono::nanoseconds now = rosNow();
   // Before simulated time runs nobody can say which stamps may be.
   if (now.count() == 0 && !is_static) return;
