@@ -31,9 +31,11 @@ Eigen::Matrix3d motionInformation(double way, double turn) {
 
 }  // namespace
 
+double yawSigma(double way) { return 2.0 * kDegree * std::sqrt(way); }
+
 double positionSigma(double way, bool compass) {
   const double along = kPositionNoise * std::sqrt(way);
-  const double turned = 2.0 * kDegree * std::sqrt(way) * way / std::sqrt(3.0);
+  const double turned = yawSigma(way) * way / std::sqrt(3.0);
   return along + (compass ? std::min(turned, 0.3 * std::sqrt(way)) : turned);
 }
 

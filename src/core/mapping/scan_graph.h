@@ -12,6 +12,8 @@ namespace place_memory::core {
 
 /// How far a way through the graph leads a tracked robot astray [m]; by its length [m].
 double positionSigma(double way, bool compass);
+/// By how much the same way turns it [rad].
+double yawSigma(double way);
 
 /// All scans of the way and what ties them; the owner of their poses.
 class ScanGraph {
