@@ -15,6 +15,7 @@
 #include "node/base/conversions.h"
 #include "node/base/node_names.h"
 #include "node/base/ros_time.h"
+#include "node/drive/drive_diagnostics.h"
 #include "node/input/sensor_placement.h"
 #include "node/map/memory_diagnostics.h"
 #include "node/scan/input_diagnostics.h"
@@ -102,6 +103,7 @@ void PlaceMemoryNode::setUpDiagnostics() {
     diagnoseTransforms(buffer_, transforms_.leftOut(), scan_server_.health(), parameters_, rosNow(),
                        status);
   });
+  diagnostics_.add("drive", [this](Status& status) { diagnoseDrive(driver_.health(), status); });
   // Forced, because the updater's own pace is that of simulated time, which may stand still.
   diagnostics_timer_ = names_.createSteadyTimer(
       kDiagnosticsPeriod, [this](const ros::SteadyTimerEvent&) { onDiagnosticsTimer(); });

@@ -207,8 +207,16 @@ class LiveDriveTest(unittest.TestCase):
         first = self.drive(2, seed=1)
         self.make_store(first, self.store)
         later = self.drive(3, seed=5, carried_at=50.0)
-        self.start_node(mode="localize", store=self.store, tf_broadcast=True)
+        self.start_node(mode="localize", store=self.store, drive__initialpose=True)
+        told = []
+        subscriber = rospy.Subscriber(self.node.name.rsplit("/", 1)[0] + "/initialpose",
+                                      PoseWithCovarianceStamped, told.append)
+        self.addCleanup(subscriber.unregister)
+        self.wait(lambda: subscriber.get_num_connections() > 0, "the node to be heard")
         self.play(later)
+        # For amcl, each time that it was found; it does not listen to itself.
+        self.assertEqual(len(told), 2)
+        self.assertEqual(told[0].header.frame_id, self.frame)
         self.assertEqual([kind for kind in self.kinds()
                           if kind in (MapEvent.FOUND, MapEvent.LOST)],
                          [MapEvent.FOUND, MapEvent.LOST, MapEvent.FOUND])

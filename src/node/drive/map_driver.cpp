@@ -93,9 +93,10 @@ void MapDriver::take(DriveInput::Batch batch) {
     }
     for (DriveMoment& moment : batch.moments) run_->order.add(std::move(moment), steady);
     for (const auto& scan : batch.scans) addStanding(*scan);
-    if (!batch.losses.problem.empty()) {
-      ROS_WARN_THROTTLE(5.0, "The drive: %s", batch.losses.problem.c_str());
+    for (std::size_t i = 0; i < kRejects; ++i) {
+      run_->losses.rejected[i] += batch.losses.rejected[i];
     }
+    if (!batch.losses.problem.empty()) run_->losses.problem = batch.losses.problem;
     ready = run_->order.take(steady);
   }
   // Who asks for something has its turn between two moments.
@@ -276,6 +277,18 @@ std::optional<core::Pose2d> MapDriver::mapFromOdom() const {
 std::optional<core::BeliefSummary> MapDriver::belief() const {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   return belief_;
+}
+
+MapDriver::Health MapDriver::health() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Health health;
+  health.mode = mode();
+  health.keep_problem = keep_problem_;
+  if (!run_) return health;
+  health.losses = run_->losses;
+  health.waiting = run_->order.waiting();
+  health.lost = run_->mapper.lost();
+  return health;
 }
 
 void MapDriver::say(std::uint8_t kind, const std::string& sentence) const {

@@ -41,6 +41,14 @@ class MapDriver {
     std::optional<core::BeliefSummary> belief;  ///< after a scan
   };
 
+  struct Health {
+    config::Mode mode = config::Mode::kOff;
+    DriveLosses losses;
+    std::string keep_problem;  ///< why the map cannot be kept; empty: it can
+    std::size_t waiting = 0;   ///< messages for others of their time
+    double lost = 1.0;         ///< probability
+  };
+
   /// Called on the driver's thread, or on that of who asks for something.
   struct Callbacks {
     std::function<void(const Step&)> step;
@@ -73,6 +81,7 @@ class MapDriver {
   std::optional<core::Pose2d> mapFromOdom() const;
   /// After the newest scan; nothing: there was none, or the mode is off.
   std::optional<core::BeliefSummary> belief() const;
+  Health health() const;
 
   /// As PlaceMemory has them; the drive's map follows at once.
   core::PlaceMemory::Learned learn(const core::Scan& scan, const std::string& label, bool force);
@@ -104,7 +113,8 @@ class MapDriver {
   const Callbacks callbacks_;
   DriveInput input_;
 
-  std::mutex mutex_;  // guards the next ones; who holds it may take the state's, not the reverse
+  mutable std::mutex
+      mutex_;  // guards the next ones; who holds it may take the state's, not the reverse
   std::unique_ptr<Run> run_;  // nullptr: off
   /// Odometry's frame in the map, as it was known before the drive began.
   std::optional<core::Pose2d> known_before_;

@@ -27,6 +27,9 @@ void MapFrameBroadcaster::broadcast() {
   geometry_msgs::TransformStamped message;
   message.header = makeHeader(parameters_.map_frame,
                               toRosTime(now + toNanoseconds(parameters_.transform_tolerance)));
+  // Simulated time may stand still between two ticks.
+  if (message.header.stamp == sent_) return;
+  sent_ = message.header.stamp;
   message.child_frame_id = parameters_.odom_frame;
   message.transform.translation.x = pose.position.x;
   message.transform.translation.y = pose.position.y;

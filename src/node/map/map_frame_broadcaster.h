@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_NODE_MAP_MAP_FRAME_BROADCASTER_H
 
 #include <ros/node_handle.h>
+#include <ros/time.h>
 #include <ros/timer.h>
 #include <tf2_ros/transform_broadcaster.h>
 
@@ -33,6 +34,7 @@ class MapFrameBroadcaster {
   const config::Parameters& parameters_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::Timer timer_;
+  ros::Time sent_;  ///< stamp of the newest one
 };
 
 }  // namespace place_memory::node
