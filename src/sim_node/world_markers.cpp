@@ -67,8 +67,9 @@ visualization_msgs::Marker toMarker(const std::vector<sim::Circle>& people,
   Marker marker = makeMarker(frame, "people", Marker::SPHERE_LIST);
   marker.scale.x = marker.scale.y = 2.0 * (people.empty() ? 0.1 : people.front().radius);
   marker.scale.z = kPersonHeight;
-  marker.color.r = 0.8F;
-  marker.color.b = 0.6F;
+  marker.color.r = 0.6F;
+  marker.color.g = 0.5F;
+  marker.color.b = 0.1F;
   for (const sim::Circle& person : people) {
     marker.points.push_back(toPoint(person.center, 0.5 * kPersonHeight));
   }

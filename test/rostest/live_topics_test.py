@@ -74,6 +74,12 @@ class LiveTopicsTest(live_test.LiveTestCase):
             self.assertGreater(cell(grid, x, -1.5), 50)
         self.assertEqual(cell(grid, 0.0, 4.0), UNSENSED)
 
+        cells = self.node.latched("scan_cells", Marker)
+        self.assertEqual((cells.header.frame_id, cells.action), ("odom", Marker.ADD))
+        self.assertAlmostEqual(cells.pose.position.x, 5.0, places=6)
+        self.assertTrue(any(abs(point.y + 1.5) < 0.2 for point in cells.points))
+        self.assertFalse(any(math.hypot(point.x, point.y) < 0.5 for point in cells.points))
+
     def test_scan_grid_shows_a_scan_under_way(self):
         self.start_node()
         grids = []
@@ -113,6 +119,7 @@ class LiveTopicsTest(live_test.LiveTestCase):
     def test_markers_of_a_removed_place_vanish(self):
         self.start_node()
         self.learn("hall", sonar_room.HALL)
+        self.robot.odometry = (6.0, 0.0, 0.0)
         study = self.learn("study", sonar_room.STUDY).place_id
         shown = set()  # as rviz keeps it: namespace, id
 
@@ -170,6 +177,12 @@ class LiveTopicsTest(live_test.LiveTestCase):
         for is_, should_be in zip(middle(matched), sonar_room.compose(middle(scan_grid), aligned)):
             self.assertAlmostEqual(is_, should_be, places=6)
         self.assertGreater(max(matched.data), 50)
+        cells = self.node.latched("matched_cells", Marker)
+        self.assertEqual((cells.header.frame_id, cells.action), ("odom", Marker.ADD))
+        likely, percent = self.node.latched("answer_markers", MarkerArray).markers
+        self.assertEqual(likely.header.frame_id, "map")
+        self.assertAlmostEqual(likely.colors[0].a, answer.matches[0].probability, places=5)
+        self.assertRegex(percent.text, r"^\d+ %$")
 
     def test_an_unknown_place_clears_what_was_recalled(self):
         self.start_node()
@@ -182,6 +195,9 @@ class LiveTopicsTest(live_test.LiveTestCase):
         self.assertEqual(self.current_place(), "")
         matched = self.node.latched("matched_grid", OccupancyGrid)
         self.assertEqual(set(matched.data), {UNSENSED})
+        self.assertEqual(self.node.latched("matched_cells", Marker).action, Marker.DELETE)
+        for marker in self.node.latched("answer_markers", MarkerArray).markers:
+            self.assertEqual(marker.action, Marker.DELETE)
 
 
 if __name__ == "__main__":

@@ -22,6 +22,7 @@ constexpr double kSpotDiameter = 0.4;
 constexpr double kSpotLevel = 0.04;
 constexpr double kLinkWidth = 0.06;
 constexpr double kLabelHeight = 0.5;
+constexpr double kLabelAbove = 0.5;  // the place, whose disc has its colour
 constexpr double kLetterWidth = 0.6 * kLabelHeight;
 constexpr std::size_t kCandidates = 10;  // for one label
 // Above the grids, which rviz draws at the height of the frame, so that each stays visible.
@@ -82,6 +83,7 @@ Marker makeDiscs(const std_msgs::Header& header, const std::string& name, double
 Marker makeLabel(const std_msgs::Header& header, const core::Place& place) {
   Marker marker = makeMarker(header, "labels", Marker::TEXT_VIEW_FACING, place.id);
   marker.pose.position = makePoint(place, kLabelLevel);
+  marker.pose.position.y += kLabelAbove;
   marker.scale.z = kLabelHeight;
   marker.color = toColor(kPlaceColor, 1.0F);
   marker.text = place.label;

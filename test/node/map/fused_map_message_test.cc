@@ -18,8 +18,8 @@ core::FusedCells someCells() {
   cells.bottom = 7.5;
   cells.columns = 3;
   cells.rows = 2;
-  cells.evidence = {127, 9,   10,
-                    0,   -22, -23};  // 0.65 is 9.9 steps above even odds, 0.196 22.6 below
+  // 0.65 is 9.9 steps above even odds, 0.4 6.5 below.
+  cells.evidence = {127, 9, 10, 0, -6, -7};
   return cells;
 }
 
