@@ -35,8 +35,8 @@ OURS, PAPER = "default", "paper"
 NODES = {PAPER: "place_memory_paper", OURS: "place_memory"}
 DISPLAY_SIZE = (1600, 900)  # [pixels]
 POSE_TOPIC = "/place_memory/pose"
-RVIZ_TOPICS = ["/place_memory/scan_grid", "/place_memory/matched_grid",
-               "/place_memory/place_markers", POSE_TOPIC, "/sonar"]
+RVIZ_TOPICS = ["/place_memory/map", "/place_memory/scan_cells", "/place_memory/matched_cells",
+               "/place_memory/answer_markers", "/place_memory/place_markers", POSE_TOPIC, "/sonar"]
 PICTURE_FROM = 9  # trials before the picture of rviz: then the open area is in view
 OUTPUTS = ["map.png", "rviz.png", "grids.png", "results.csv"]
 START_LIMIT = 60.0  # [s]

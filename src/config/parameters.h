@@ -73,7 +73,7 @@ struct MapOptions {
   double resolution = 0.05;    ///< side of a cell [m]
   int max_cells = 16'000'000;  ///< of the box that is mapped
   double occupied = 0.65;      ///< probability from which a cell is occupied
-  double empty = 0.196;        ///< up to which it is empty; what lies between is unknown
+  double empty = 0.4;          ///< up to which it is empty; what lies between is unknown
   double pause = 1.0;          ///< between two maps [s], at least
 };
 

@@ -4,12 +4,14 @@
 #include <ros/console.h>
 #include <ros/names.h>
 #include <ros/network.h>
+#include <visualization_msgs/Marker.h>
 
 #include <utility>
 
 #include "config/memory_options.h"
 #include "core/store/store_file.h"
 #include "node/answer/answer_words.h"
+#include "node/base/cell_marker.h"
 #include "node/base/conversions.h"
 #include "node/base/node_names.h"
 #include "node/base/ros_time.h"
@@ -23,6 +25,7 @@ namespace {
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 const ros::WallDuration kAtOnce(0.001);
 constexpr int kTicksBetweenWarnings = 10;
+constexpr double kScanLevel = 0.025;  // of its cells in rviz, above those of a recalled place [m]
 
 ros::NodeHandle withQueue(const ros::NodeHandle& names, ros::CallbackQueueInterface& queue) {
   ros::NodeHandle with_queue(names);
@@ -49,6 +52,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       examiner_(parameters_.sonar, [this](core::PlaceId id) { return memory_->grid(id); }),
       transforms_(names_, buffer_),
       scan_grid_(private_names_.advertise<nav_msgs::OccupancyGrid>(kScanGridTopic, 1, true)),
+      scan_cells_(private_names_.advertise<visualization_msgs::Marker>(kScanCellsTopic, 1, true)),
       answer_publisher_(private_names_, *memory_, parameters_),
       map_publisher_(private_names_, *memory_, parameters_, [this] { return locateRobot(); }),
       fused_map_publisher_(private_names_, *memory_, parameters_),
@@ -150,9 +154,10 @@ ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
 }
 
 void PlaceMemoryNode::publishScan(const core::Scan& scan) {
-  scan_grid_.publish(toOccupancyGrid(scan.grid, scan.odom_from_scan,
-                                     makeHeader(scanFrame(parameters_), toRosTime(scan.end)),
-                                     parameters_.sonar.prior));
+  const std_msgs::Header header = makeHeader(scanFrame(parameters_), toRosTime(scan.end));
+  scan_grid_.publish(
+      toOccupancyGrid(scan.grid, scan.odom_from_scan, header, parameters_.sonar.prior));
+  scan_cells_.publish(toCellMarker(scan.grid, scan.odom_from_scan, header, kScanColor, kScanLevel));
 }
 
 void PlaceMemoryNode::dropScans() {

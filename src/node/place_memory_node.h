@@ -65,6 +65,7 @@ class PlaceMemoryNode {
   tf2::BufferCore buffer_;
   TransformInput transforms_;
   ros::Publisher scan_grid_;
+  ros::Publisher scan_cells_;
   AnswerPublisher answer_publisher_;
   MapPublisher map_publisher_;
   FusedMapPublisher fused_map_publisher_;

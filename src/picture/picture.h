@@ -38,7 +38,7 @@ struct Disc {
   std::string hint;  ///< shown where the mouse rests, in SVG
 };
 
-/// Begins at `at` on the base line.
+/// Begins at `at` on the base line. A white rim makes it readable on anything.
 struct Text {
   Point at;
   double size = 0.0;  ///< of the font: capitals are about 0.7 of it high

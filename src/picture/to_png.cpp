@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kStroke = 0.09;      // width of a letter's lines, of a font of size 1
 constexpr double kLeastStroke = 1.2;  // [pixels]
+constexpr double kRim = 1.5;          // [pixels]
+constexpr Color kWhite{255, 255, 255};
 
 std::uint8_t blended(std::uint8_t under, std::uint8_t over, double share) {
   return static_cast<std::uint8_t>(std::lround(under + share * (over - under)));
@@ -43,12 +45,14 @@ class Canvas {
   void operator()(const Disc& disc) { stroke({disc.centre}, disc.radius * scale_, disc.fill); }
   void operator()(const Text& text) {
     const double radius = 0.5 * std::max(kStroke * text.size * scale_, kLeastStroke);
-    for (std::vector<Point> points : strokes(text.text)) {
+    std::vector<std::vector<Point>> letters = strokes(text.text);
+    for (std::vector<Point>& points : letters) {
       for (Point& point : points) {
         point = {text.at.x + text.size * point.x, text.at.y + text.size * point.y};
       }
-      stroke(points, radius, text.color);
+      stroke(points, radius + kRim, kWhite);
     }
+    for (const std::vector<Point>& points : letters) stroke(points, radius, text.color);
   }
 
   std::string png() const { return encodePng(pixels_, width_); }

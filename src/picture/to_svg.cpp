@@ -62,8 +62,9 @@ struct SvgWriter {
 
   void operator()(const Text& label) {
     text += "<text x=\"" + decimal(label.at.x, 3) + "\" y=\"" + decimal(-label.at.y, 3) +
-            "\" font-size=\"" + decimal(label.size, 4) + "\" fill=\"" + hex(label.color) + "\">" +
-            escaped(label.text) + "</text>";
+            "\" font-size=\"" + decimal(label.size, 4) + "\" fill=\"" + hex(label.color) +
+            "\" stroke=\"#ffffff\" stroke-width=\"" + decimal(0.15 * label.size, 4) +
+            "\" paint-order=\"stroke\">" + escaped(label.text) + "</text>";
   }
 };
 

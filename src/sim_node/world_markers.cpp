@@ -47,9 +47,9 @@ void addOutline(const sim::Circle& circle, Marker& lines) {
 visualization_msgs::MarkerArray toMarkers(const sim::Scene& scene, const std::string& frame) {
   Marker lines = makeMarker(frame, "outline", Marker::LINE_LIST);
   lines.scale.x = kLineWidth;
-  lines.color.r = 0.75F;
-  lines.color.g = 0.35F;
-  lines.color.b = 0.1F;
+  lines.color.r = 0.3F;
+  lines.color.g = 0.3F;
+  lines.color.b = 0.35F;
   for (const sim::Segment& segment : scene.segments()) {
     lines.points.push_back(toPoint(segment.a, kWorldLevel));
     lines.points.push_back(toPoint(segment.b, kWorldLevel));

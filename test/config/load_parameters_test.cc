@@ -316,5 +316,15 @@ TEST(LoadParameters, WithoutOdometryPlacesHaveNoLocation) {
   EXPECT_FALSE(parse("odom_frame: ''").match.recognizer.located);
 }
 
+TEST(LoadParameters, TheBuildingsMapHasBounds) {
+  EXPECT_EQ(parse("map: {resolution: 0.1, max_cells: 5000000}").map.max_cells, 5000000);
+  for (const char* text : {"map: {resolution: 0}", "map: {resolution: 2}", "map: {max_cells: 1000}",
+                           "map: {occupied: 1.5}", "map: {pause: 0}"}) {
+    EXPECT_EQ(problemsOf(text).size(), 1U) << text;
+  }
+  EXPECT_EQ(problemsOf("map: {occupied: 0.3, empty: 0.4}"),
+            (std::vector<std::string>{"map/empty: must be below map/occupied"}));
+}
+
 }  // namespace
 }  // namespace place_memory::config

@@ -3,17 +3,31 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <ros/console.h>
 #include <std_msgs/String.h>
+#include <visualization_msgs/Marker.h>
 
+#include <algorithm>
+
+#include "node/base/cell_marker.h"
 #include "node/base/conversions.h"
 #include "node/base/node_names.h"
 
 namespace place_memory::node {
+namespace {
+
+constexpr double kRecalledLevel = 0.01;    // below the scan's cells [m]
+constexpr std::size_t kLikelyPlaces = 10;  // that are drawn
+
+}  // namespace
 
 AnswerPublisher::AnswerPublisher(ros::NodeHandle& private_node, const core::PlaceMemory& memory,
                                  const config::Parameters& parameters)
     : memory_(memory),
       parameters_(parameters),
       matched_grid_(private_node.advertise<nav_msgs::OccupancyGrid>(kMatchedGridTopic, 1, true)),
+      matched_cells_(
+          private_node.advertise<visualization_msgs::Marker>(kMatchedCellsTopic, 1, true)),
+      answer_markers_(
+          private_node.advertise<visualization_msgs::MarkerArray>(kAnswerMarkersTopic, 1, true)),
       recognition_(private_node.advertise<Recognition>(kRecognitionTopic, 1, true)),
       current_place_(private_node.advertise<std_msgs::String>(kCurrentPlaceTopic, 1, true)),
       pose_(private_node.advertise<geometry_msgs::PoseWithCovarianceStamped>(kPoseTopic, 1, true)) {
@@ -23,12 +37,21 @@ AnswerPublisher::AnswerPublisher(ros::NodeHandle& private_node, const core::Plac
 void AnswerPublisher::publish(const core::Scan& scan, const core::PlaceMemory::Answer& answer,
                               const Recognition& message) {
   if (answer.superseded) return;
-  const nav_msgs::OccupancyGrid grid = matchedGrid(scan, answer.recognition);
+  const Recalled recalled = recall(scan, answer.recognition);
+  const std_msgs::Header header = makeHeader(scanFrame(parameters_), toRosTime(scan.end));
+  const nav_msgs::OccupancyGrid grid =
+      toOccupancyGrid(recalled.grid, recalled.odom_from_place, header, parameters_.sonar.prior);
+  const visualization_msgs::Marker cells =
+      toCellMarker(recalled.grid, recalled.odom_from_place, header, kRecalledColor, kRecalledLevel);
+  const visualization_msgs::MarkerArray markers =
+      toMarkers(likelyPlaces(answer.recognition), message.header);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (answer.whereabouts.version < newest_) return;
   newest_ = answer.whereabouts.version;
   recognition_.publish(message);
   matched_grid_.publish(grid);
+  matched_cells_.publish(cells);
+  answer_markers_.publish(markers);
   if (answer.recognition.verdict == core::Verdict::kRecognized) {
     geometry_msgs::PoseWithCovarianceStamped pose;
     pose.header = message.header;
@@ -59,22 +82,29 @@ void AnswerPublisher::publishCurrentPlaceLocked(const core::Whereabouts& whereab
 }
 
 // Without a place a grid of unsensed cells, because subscribers keep showing the last grid.
-nav_msgs::OccupancyGrid AnswerPublisher::matchedGrid(const core::Scan& scan,
-                                                     const core::Recognition& found) const {
-  core::EvidenceGrid grid(scan.grid.geometry());
-  core::Pose2d odom_from_place = scan.odom_from_scan;
-  if (found.verdict != core::Verdict::kUnknown) {
-    const core::PlaceMatch& match = found.matches.front();
-    odom_from_place = scan.odom_from_scan * match.place_from_scan.inverse();
-    try {
-      grid = memory_.grid(match.id);
-    } catch (const core::PlaceMemoryError& error) {
-      ROS_WARN("The matched grid is not published: %s", error.what());
-    }
+AnswerPublisher::Recalled AnswerPublisher::recall(const core::Scan& scan,
+                                                  const core::Recognition& found) const {
+  Recalled recalled{core::EvidenceGrid(scan.grid.geometry()), scan.odom_from_scan};
+  if (found.verdict == core::Verdict::kUnknown) return recalled;
+  const core::PlaceMatch& match = found.matches.front();
+  recalled.odom_from_place = scan.odom_from_scan * match.place_from_scan.inverse();
+  try {
+    recalled.grid = memory_.grid(match.id);
+  } catch (const core::PlaceMemoryError& error) {
+    ROS_WARN("The matched grid is not published: %s", error.what());
   }
-  return toOccupancyGrid(grid, odom_from_place,
-                         makeHeader(scanFrame(parameters_), toRosTime(scan.end)),
-                         parameters_.sonar.prior);
+  return recalled;
+}
+
+std::vector<LikelyPlace> AnswerPublisher::likelyPlaces(const core::Recognition& found) const {
+  std::vector<LikelyPlace> likely;
+  const std::size_t count = std::min(found.matches.size(), kLikelyPlaces);
+  for (std::size_t i = 0; i < count; ++i) {
+    const core::PlaceMatch& match = found.matches[i];
+    const std::optional<core::Place> place = memory_.place(match.id);
+    if (place) likely.push_back({place->map_from_place, match.probability});
+  }
+  return likely;
 }
 
 }  // namespace place_memory::node

@@ -10,15 +10,17 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "config/parameters.h"
+#include "node/answer/answer_markers.h"
 #include "place_memory/core/place_memory.h"
 #include "place_memory/core/scan.h"
 
 namespace place_memory::node {
 
-/// Publishes where the robot is: ~recognition, ~pose, ~matched_grid and ~current_place, all
-/// latched. Thread-safe.
+/// Publishes where the robot is: ~recognition, ~pose, ~matched_grid and ~current_place, and for
+/// rviz ~matched_cells and ~answer_markers, all latched. Thread-safe.
 ///
 /// An answer that was overtaken, by a newer one, by a place that was learned, or because the robot
 /// was carried, stays with the client who asked: who subscribes gets the newest.
@@ -40,12 +42,20 @@ class AnswerPublisher {
 
  private:
   void publishCurrentPlaceLocked(const core::Whereabouts& whereabouts);
-  nav_msgs::OccupancyGrid matchedGrid(const core::Scan& scan, const core::Recognition& found) const;
+  /// The grid of the best match, and where it aligns in the scan's frame.
+  struct Recalled {
+    core::EvidenceGrid grid;
+    core::Pose2d odom_from_place;
+  };
+  Recalled recall(const core::Scan& scan, const core::Recognition& found) const;
+  std::vector<LikelyPlace> likelyPlaces(const core::Recognition& found) const;
 
   const core::PlaceMemory& memory_;
   const config::Parameters& parameters_;
 
   ros::Publisher matched_grid_;
+  ros::Publisher matched_cells_;
+  ros::Publisher answer_markers_;
   ros::Publisher recognition_;
   ros::Publisher current_place_;
   ros::Publisher pose_;

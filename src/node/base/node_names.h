@@ -13,6 +13,9 @@ constexpr char kScanAction[] = "scan";
 
 constexpr char kScanGridTopic[] = "scan_grid";
 constexpr char kMatchedGridTopic[] = "matched_grid";
+constexpr char kScanCellsTopic[] = "scan_cells";
+constexpr char kMatchedCellsTopic[] = "matched_cells";
+constexpr char kAnswerMarkersTopic[] = "answer_markers";
 constexpr char kMapChangesTopic[] = "map_changes";
 constexpr char kPlaceGraphTopic[] = "place_graph";
 constexpr char kPlaceMarkersTopic[] = "place_markers";

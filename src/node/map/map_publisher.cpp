@@ -4,6 +4,7 @@
 #include <place_memory/PlaceGraph.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -22,6 +23,12 @@ constexpr std::chrono::seconds kPause(1);  // between two whole maps
 
 // Labels follow a robot that has gone so far [m].
 constexpr double kLabelStep = 5.0;
+
+std::size_t labelsIn(const visualization_msgs::MarkerArray& array) {
+  return static_cast<std::size_t>(
+      std::count_if(array.markers.begin(), array.markers.end(),
+                    [](const auto& marker) { return !marker.text.empty(); }));
+}
 
 }  // namespace
 
@@ -50,10 +57,10 @@ void MapPublisher::publishChange(const core::MapChange& change) {
 }
 
 void MapPublisher::follow() {
-  if (memory_.size() <= static_cast<std::size_t>(parameters_.markers.labels)) return;
   const std::optional<core::Pose2d> robot = locate_robot_();
   if (!robot) return;
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (all_labelled_) return;
   if (labels_around_ &&
       std::hypot(robot->x - labels_around_->x, robot->y - labels_around_->y) < kLabelStep) {
     return;
@@ -66,13 +73,15 @@ void MapPublisher::publishWholeMap() {
   const PlaceGraph graph = toMessage(map, parameters_.map_frame);
   place_graph_.publish(graph);
   const std::optional<core::Pose2d> robot = locate_robot_();
+  const visualization_msgs::MarkerArray markers =
+      toMarkers(map, robot.value_or(core::Pose2d()),
+                static_cast<std::size_t>(parameters_.markers.labels), graph.header);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     labels_around_ = robot;
+    all_labelled_ = labelsIn(markers) == map.places.size();
   }
-  place_markers_.publish(toMarkers(map, robot.value_or(core::Pose2d()),
-                                   static_cast<std::size_t>(parameters_.markers.labels),
-                                   graph.header));
+  place_markers_.publish(markers);
 }
 
 }  // namespace place_memory::node

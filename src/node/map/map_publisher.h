@@ -43,6 +43,7 @@ class MapPublisher {
   ros::Publisher place_markers_;
   std::mutex mutex_;
   std::optional<core::Pose2d> labels_around_;  // where the robot was when they were published
+  bool all_labelled_ = true;                   // likewise
   RatedTask whole_map_;                        // ends before what it uses
 };
 

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "node/base/colors.h"
+
 namespace place_memory::node {
 namespace {
 
@@ -16,6 +18,8 @@ using visualization_msgs::Marker;
 
 constexpr double kRegionDiameter = 5.0 * 0.3048;  // [m]
 constexpr double kRegionHeight = 0.02;
+constexpr double kSpotDiameter = 0.4;
+constexpr double kSpotLevel = 0.04;
 constexpr double kLinkWidth = 0.06;
 constexpr double kLabelHeight = 0.5;
 constexpr double kLetterWidth = 0.6 * kLabelHeight;
@@ -23,29 +27,20 @@ constexpr std::size_t kCandidates = 10;  // for one label
 // Above the grids, which rviz draws at the height of the frame, so that each stays visible.
 constexpr double kLinkLevel = 0.03;
 constexpr double kLabelLevel = 0.8;  // above the robot too
-constexpr float kRegionAlpha = 0.2F;
+constexpr float kRegionAlpha = 0.12F;
+constexpr float kSpotAlpha = 0.9F;
 constexpr float kLinkAlpha = 0.9F;
-
-std_msgs::ColorRGBA color(float red, float green, float blue, float alpha) {
-  std_msgs::ColorRGBA color;
-  color.r = red;
-  color.g = green;
-  color.b = blue;
-  color.a = alpha;
-  return color;
-}
 
 // Blue for the first; neighbours in the row, and the first and the last, are easy to tell apart.
 std_msgs::ColorRGBA sessionColor(core::SessionId session, float alpha) {
-  constexpr std::array<std::array<float, 3>, 6> kColors{{{0.2F, 0.5F, 0.9F},
-                                                         {0.9F, 0.45F, 0.1F},
-                                                         {0.2F, 0.65F, 0.3F},
-                                                         {0.75F, 0.25F, 0.7F},
-                                                         {0.7F, 0.6F, 0.1F},
-                                                         {0.8F, 0.2F, 0.25F}}};
+  constexpr std::array<Rgb, 6> kColors{{kPlaceColor,
+                                        {0.9F, 0.45F, 0.1F},
+                                        {0.2F, 0.65F, 0.3F},
+                                        {0.75F, 0.25F, 0.7F},
+                                        {0.7F, 0.6F, 0.1F},
+                                        {0.8F, 0.2F, 0.25F}}};
   const auto number = static_cast<std::size_t>(std::max<core::SessionId>(session, 1) - 1);
-  const auto& [red, green, blue] = kColors[number % kColors.size()];
-  return color(red, green, blue, alpha);
+  return toColor(kColors[number % kColors.size()], alpha);
 }
 
 Marker makeMarker(const std_msgs::Header& header, const std::string& name, int type,
@@ -69,15 +64,17 @@ geometry_msgs::Point makePoint(const core::Place& place, double level) {
   return point;
 }
 
-Marker makeRegions(const std_msgs::Header& header, const std::vector<core::Place>& places) {
-  Marker marker = makeMarker(header, "regions", Marker::SPHERE_LIST, 0);
-  marker.scale.x = kRegionDiameter;
-  marker.scale.y = kRegionDiameter;
+/// Flat discs.
+Marker makeDiscs(const std_msgs::Header& header, const std::string& name, double diameter,
+                 double level, float alpha, const std::vector<core::Place>& places) {
+  Marker marker = makeMarker(header, name, Marker::SPHERE_LIST, 0);
+  marker.scale.x = diameter;
+  marker.scale.y = diameter;
   marker.scale.z = kRegionHeight;
-  marker.color = sessionColor(1, kRegionAlpha);
+  marker.color = sessionColor(1, alpha);
   for (const core::Place& place : places) {
-    marker.points.push_back(makePoint(place, 0.0));
-    marker.colors.push_back(sessionColor(place.session, kRegionAlpha));
+    marker.points.push_back(makePoint(place, level));
+    marker.colors.push_back(sessionColor(place.session, alpha));
   }
   return marker;
 }
@@ -86,7 +83,7 @@ Marker makeLabel(const std_msgs::Header& header, const core::Place& place) {
   Marker marker = makeMarker(header, "labels", Marker::TEXT_VIEW_FACING, place.id);
   marker.pose.position = makePoint(place, kLabelLevel);
   marker.scale.z = kLabelHeight;
-  marker.color = color(0.05F, 0.1F, 0.4F, 1.0F);
+  marker.color = toColor(kPlaceColor, 1.0F);
   marker.text = place.label;
   return marker;
 }
@@ -121,14 +118,12 @@ bool overlap(const core::Place& a, const core::Place& b) {
   return std::abs(at.x - other.x) < width && std::abs(at.y - other.y) < kLabelHeight;
 }
 
-/// All, where they are no more than `count`; else those nearest to `to` whose texts leave each
-/// other room.
+/// Those nearest to `to` whose texts leave each other room, `count` at the most.
 std::vector<const core::Place*> labelled(const std::vector<core::Place>& places,
                                          const core::Pose2d& to, std::size_t count) {
   std::vector<const core::Place*> near;
   near.reserve(places.size());
   for (const core::Place& place : places) near.push_back(&place);
-  if (near.size() <= count) return near;
   const auto distance = [&to](const core::Place& place) {
     return std::hypot(place.map_from_place.x - to.x, place.map_from_place.y - to.y);
   };
@@ -155,7 +150,12 @@ visualization_msgs::MarkerArray toMarkers(const core::MapSnapshot& map,
   Marker& wipe = array.markers.emplace_back(makeMarker(header, "", Marker::CUBE, 0));
   wipe.action = Marker::DELETEALL;
   // rviz reports a list without points as an error.
-  if (!map.places.empty()) array.markers.push_back(makeRegions(header, map.places));
+  if (!map.places.empty()) {
+    array.markers.push_back(
+        makeDiscs(header, "regions", kRegionDiameter, 0.0, kRegionAlpha, map.places));
+    array.markers.push_back(
+        makeDiscs(header, "places", kSpotDiameter, kSpotLevel, kSpotAlpha, map.places));
+  }
   for (const core::Place* place : labelled(map.places, map_from_robot, labels)) {
     array.markers.push_back(makeLabel(header, *place));
   }

@@ -12,9 +12,10 @@
 namespace place_memory::node {
 
 /// The map for rviz, in few markers however many places there are: the regions of all places, five
-/// feet across (paper 7), are one list of spheres under `regions`, the links one list of lines
-/// under `links`. Each session has a colour. At most `labels` places, those nearest to the robot,
-/// have a label under `labels`, whose id is the place's.
+/// feet across (paper 7), are one list of spheres under `regions`, where they lie one under
+/// `places`, the links one list of lines under `links`. Each session has a colour. Under `labels`
+/// are the labels of those places nearest to the robot that leave each other room, `labels` at
+/// most; the id is the place's.
 ///
 /// The first marker deletes all others, so that the latest array is the whole map for whoever gets
 /// it, and what was removed vanishes.

@@ -18,7 +18,8 @@ core::FusedCells someCells() {
   cells.bottom = 7.5;
   cells.columns = 3;
   cells.rows = 2;
-  cells.evidence = {127, 9, 10, 0, -22, -23};  // 0.65 is 9.9 steps above even odds, 0.196 22.6 below
+  // 0.65 is 9.9 steps above even odds, 0.4 6.5 below.
+  cells.evidence = {127, 9, 10, 0, -6, -7};
   return cells;
 }
 
@@ -53,8 +54,7 @@ TEST(FusedMapMessage, LiesAsTheCellsDo) {
 TEST(FusedMapMessage, AMapWithoutAPlaceIsOneUnknownCell) {
   core::FusedCells cells;
   cells.resolution = 0.05;
-  const nav_msgs::OccupancyGrid message =
-      toMessage(cells, config::MapOptions{}, 0.5, kHeader);
+  const nav_msgs::OccupancyGrid message = toMessage(cells, config::MapOptions{}, 0.5, kHeader);
   EXPECT_EQ(message.info.width, 1U);
   EXPECT_EQ(message.info.height, 1U);
   EXPECT_EQ(message.info.resolution, 0.05F);

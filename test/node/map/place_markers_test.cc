@@ -107,8 +107,23 @@ TEST(ToMarkers, LabelsOfACrowdedMapLeaveEachOtherRoom) {
   }
 }
 
+TEST(ToMarkers, OfPlacesAtOneSpotOneHasALabel) {
+  core::MapSnapshot map = makeChain();
+  map.places[1].map_from_place = map.places[0].map_from_place;
+  EXPECT_EQ(labelsOf(markersOf(map)), (std::set<std::string>{"a", "c"}));
+}
+
+TEST(ToMarkers, APlaceIsADiscInItsRegion) {
+  const MarkerArray array = markersOf(makeChain());
+  const Marker regions = under("regions", array).front();
+  const Marker places = under("places", array).front();
+  EXPECT_EQ(places.points.size(), regions.points.size());
+  EXPECT_LT(places.scale.x, 0.5 * regions.scale.x);
+  EXPECT_GT(places.colors[0].a, regions.colors[0].a);
+}
+
 TEST(ToMarkers, TheirNumberIsBoundedHoweverManyPlacesThereAre) {
-  EXPECT_LE(markersOf(makeRow(20000)).markers.size(), 103U);
+  EXPECT_LE(markersOf(makeRow(20000)).markers.size(), 104U);
 }
 
 TEST(ToMarkers, WhatIsNotInTheMapVanishes) {
