@@ -9,6 +9,7 @@
 #include "core/memory/map_export.h"
 #include "picture/grid_picture.h"
 #include "picture/png.h"
+#include "picture/svg_text.h"
 #include "tools/map_tables.h"
 #include "tools/node_source.h"
 #include "tools/record_table.h"
@@ -70,7 +71,7 @@ class Commands {
     if (arguments_.command == "history") return history();
     if (arguments_.command == "undo") return undo();
     if (arguments_.command == "stats") return stats();
-    throw CommandError("command '" + arguments_.command + "' is not built in");
+    return plan();
   }
 
  private:
@@ -162,6 +163,19 @@ class Commands {
       table.print(out_);
     }
     return found.verdict == core::nameOf(core::Verdict::kRecognized) ? kDone : kNo;
+  }
+
+  ExitStatus plan() {
+    const PlannedRoute route = source_->plan(arguments_.words[0], arguments_.words[1]);
+    if (!route.problem.empty()) throw CommandError(route.problem, kNo);
+    RecordTable table({"leg", "place"});
+    for (std::size_t i = 0; i < route.labels.size(); ++i) {
+      table.add({static_cast<std::int64_t>(i), route.labels[i]});
+    }
+    print(table);
+    notes_ << picture::decimal(route.cost, 1) << " s, odds " << picture::decimal(route.odds, 2)
+           << '\n';
+    return kDone;
   }
 
   ExitStatus merge() {

@@ -112,6 +112,11 @@ class MapToolTest(unittest.TestCase):
         self.say("undo", "--count", "2", status=NO)
         self.assertEqual(self.labels(), ["hall"])
 
+    def test_a_way_is_planned(self):
+        legs = json.loads(self.say("plan", "study", "hall", "--json").stdout)
+        self.assertEqual([leg["place"] for leg in legs], ["study", "hall"])
+        self.say("plan", "hall", "attic", status=NO)
+
     def test_stores_are_merged(self):
         other = self.path("other.db")
         self.learn(other, "their hall", "their study")
