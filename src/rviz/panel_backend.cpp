@@ -18,6 +18,7 @@ namespace place_memory::panel {
 namespace {
 
 constexpr std::chrono::seconds kLookPeriod(1);
+constexpr std::chrono::seconds kLookPatience(5);
 constexpr std::chrono::seconds kPatience(15);  // with a service
 constexpr std::chrono::seconds kLongPatience(60);  // with one that goes through the whole map
 
@@ -62,20 +63,23 @@ std::optional<PanelView> PanelBackend::poll() {
     looked_ = now;
     board_->change([now](PanelState& state) { state.giveUpGoals(now); });
     look();
-    link();
     askForGraph();
   }
+  link();
   return board_->news();
 }
 
 void PanelBackend::look() {
+  const auto now = ServiceCaller::Clock::now();
   if (is_looking_->exchange(true)) {
+    if (now - look_begun_ < kLookPatience) return;
     // The network keeps the last look waiting: so it would do with all else.
     Presence away;
     away.kind = Presence::Kind::kAway;
     board_->change([&away](PanelState& state) { state.setPresence(away); });
     return;
   }
+  look_begun_ = now;
   watch_.post([node = node_, board = board_, is_looking = is_looking_] {
     const Presence presence = lookFor(node);
     board->change([&presence](PanelState& state) { state.setPresence(presence); });
@@ -85,8 +89,8 @@ void PanelBackend::look() {
 
 void PanelBackend::link() {
   // Without a master ROS would wait for one, and hold up whoever closes rviz.
-  const bool has_master = board_->change([](PanelState& state) { return state.hasMaster(); });
-  if (is_linked_ || !has_master) return;
+  const auto has_master = [](const PanelState& state) { return state.hasMaster(); };
+  if (is_linked_ || !board_->read(has_master)) return;
   is_linked_ = true;
   links_.post([link = link_, board = board_, node = node_] {
     if (ros::ok()) link->node = std::make_unique<NodeLink>(node, board);

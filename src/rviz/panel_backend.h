@@ -64,7 +64,8 @@ class PanelBackend {
   bool is_linked_ = false;
   std::shared_ptr<ServiceCaller> caller_;
   std::shared_ptr<std::atomic<bool>> is_looking_;
-  std::chrono::steady_clock::time_point looked_;
+  std::chrono::steady_clock::time_point looked_;      // was to be looked, newest
+  std::chrono::steady_clock::time_point look_begun_;  // the newest one
   BackgroundThread links_;
   BackgroundThread watch_;
 };

@@ -9,7 +9,6 @@ namespace place_memory::panel {
 namespace {
 
 constexpr std::size_t kShownMatches = 5;
-constexpr std::chrono::seconds kGoalPatience(5);
 
 }  // namespace
 

@@ -15,6 +15,9 @@
 
 namespace place_memory::panel {
 
+/// The node has so long to say something of a goal.
+constexpr std::chrono::seconds kGoalPatience(5);
+
 /// What the messages of one node say, for whoever shows it.
 class PanelState {
  public:

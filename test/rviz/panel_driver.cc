@@ -219,7 +219,8 @@ int main(int argc, char** argv) {
     std::string line;
     if (!std::getline(std::cin, line)) return application.quit();
     try {
-      std::cout << "ok " << driver.obey(line) << std::endl;
+      const std::string answer = driver.obey(line);
+      std::cout << "ok " << answer << std::endl;
     } catch (const std::exception& error) {
       std::cout << "failed " << error.what() << std::endl;
     }
