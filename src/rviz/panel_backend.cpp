@@ -4,9 +4,11 @@
 #include <place_memory/LearnPlace.h>
 #include <place_memory/Load.h>
 #include <place_memory/RecognizePlace.h>
+#include <place_memory/Relocalize.h>
 #include <place_memory/RemovePlace.h>
 #include <place_memory/RenamePlace.h>
 #include <place_memory/Save.h>
+#include <place_memory/SetMode.h>
 #include <place_memory/Undo.h>
 #include <ros/init.h>
 
@@ -151,6 +153,14 @@ void PanelBackend::learn(const std::string& label) {
 
 void PanelBackend::recognize() {
   call<RecognizePlace>(kRecognizePlaceService, {}, kLongPatience);
+}
+
+void PanelBackend::relocalize() { call<Relocalize>(kRelocalizeService, {}, kPatience); }
+
+void PanelBackend::setMode(const std::string& mode) {
+  SetMode::Request request;
+  request.mode = mode;
+  call<SetMode>(kSetModeService, request, kLongPatience);
 }
 
 void PanelBackend::rename(const std::string& label, const std::string& new_label) {

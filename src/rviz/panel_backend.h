@@ -35,6 +35,8 @@ class PanelBackend {
   void scan();
   void learn(const std::string& label);
   void recognize();
+  void relocalize();
+  void setMode(const std::string& mode);
   void rename(const std::string& label, const std::string& new_label);
   void remove(const std::string& label);
   void undo();

@@ -2,6 +2,8 @@
 #define PLACE_MEMORY_RVIZ_PANEL_STATE_H
 
 #include <place_memory/MapChange.h>
+#include <place_memory/MapEvent.h>
+#include <place_memory/PlaceBelief.h>
 #include <place_memory/PlaceGraph.h>
 #include <place_memory/Recognition.h>
 
@@ -37,6 +39,9 @@ class PanelState {
   void addChange(const MapChange& change);
 
   void setRecognition(const Recognition& recognition);
+  void setBelief(const PlaceBelief& belief);
+  /// Its sentence is said; a problem are doubts, being lost, and what cannot be kept.
+  void addEvent(const MapEvent& event);
   void setMode(const std::string& mode) { view_.mode = mode; }
 
   void beginCall(const std::string& service) { view_.calls.insert(service); }

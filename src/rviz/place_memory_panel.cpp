@@ -54,6 +54,8 @@ void PlaceMemoryPanel::connectButtons() {
     connect(button, &QPushButton::clicked, this, [this, command = command] { press(command); });
   }
   connect(form_.cancel, &QPushButton::clicked, this, [this] { backend_.cancel(); });
+  connect(form_.mode, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { backend_.setMode(form_.mode->currentText().toStdString()); });
   connect(form_.label, &QLineEdit::returnPressed, form_.buttons.at(Command::kLearn),
           &QPushButton::click);
   connect(form_.node, QOverload<int>::of(&QComboBox::activated), this,
@@ -99,6 +101,9 @@ void PlaceMemoryPanel::press(Command command) {
       break;
     case Command::kRecognize:
       backend_.recognize();
+      break;
+    case Command::kRelocalize:
+      backend_.relocalize();
       break;
     case Command::kUndo:
       backend_.undo();
@@ -180,6 +185,8 @@ void PlaceMemoryPanel::showCommands() {
   const std::string reason = whyNot(view_, Command::kSetMode, place_is_chosen);
   form_.mode->setEnabled(reason.empty());
   form_.mode->setToolTip(QString::fromStdString(reason));
+  const int mode = form_.mode->findText(QString::fromStdString(view_.mode));
+  if (!form_.mode->view()->isVisible()) form_.mode->setCurrentIndex(mode);
   form_.cancel->setEnabled(!view_.goals.empty());
 }
 
@@ -206,7 +213,12 @@ void PlaceMemoryPanel::showWhere(const PanelView& view) {
   form_.verdict->setText(QString::fromStdString(view.verdict));
   fill(*form_.matches, view.matches);
   fill(*form_.belief, view.belief);
-  form_.lost->setText(view.lost ? "lost with " + QString::fromStdString(percent(*view.lost)) : "");
+  form_.lost->setText(QString::fromStdString(
+      view.lost ? "Lost: " + percent(*view.lost) + ". At none of the places: " +
+                      percent(view.off_map.value_or(0.0)) + "."
+                : ""));
+  form_.belief->setVisible(view.lost.has_value());
+  form_.lost->setVisible(view.lost.has_value());
 }
 
 void PlaceMemoryPanel::showPlaces(const PanelView& view) {
