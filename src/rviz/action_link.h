@@ -52,9 +52,8 @@ class ActionLink {
     message.goal_id.id = ros::this_node::getName() + "-" + name_ + "-" +
                          std::to_string(Clock::now().time_since_epoch().count());
     message.goal = goal;
-    board_->change([&](PanelState& state) {
-      state.sendGoal(name_, message.goal_id.id, Clock::now());
-    });
+    board_->change(
+        [&](PanelState& state) { state.sendGoal(name_, message.goal_id.id, Clock::now()); });
     const std::lock_guard<std::mutex> lock(mutex_);
     if (goal_.getNumSubscribers() > 0) {
       goal_.publish(message);

@@ -29,9 +29,8 @@ NodeLink::NodeLink(const std::string& node, const std::shared_ptr<Board>& board)
   names_.setCallbackQueue(&queue_);
   const std::string below = node + "/";
   subscribers_ = {
-      write<MapChange>(
-          names_, below + kMapChangesTopic, board,
-          [](PanelState& state, const MapChange& change) { state.addChange(change); }),
+      write<MapChange>(names_, below + kMapChangesTopic, board,
+                       [](PanelState& state, const MapChange& change) { state.addChange(change); }),
       write<Recognition>(
           names_, below + kRecognitionTopic, board,
           [](PanelState& state, const Recognition& answer) { state.setRecognition(answer); }),

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::chrono::seconds kLookPeriod(1);
 constexpr std::chrono::seconds kLookPatience(5);
-constexpr std::chrono::seconds kPatience(15);  // with a service
+constexpr std::chrono::seconds kPatience(15);      // with a service
 constexpr std::chrono::seconds kLongPatience(60);  // with one that goes through the whole map
 
 std::string endInWords(CallEnd end, const std::string& service, std::chrono::seconds patience) {
@@ -151,9 +151,7 @@ void PanelBackend::learn(const std::string& label) {
   call<LearnPlace>(kLearnPlaceService, request, kPatience);
 }
 
-void PanelBackend::recognize() {
-  call<RecognizePlace>(kRecognizePlaceService, {}, kLongPatience);
-}
+void PanelBackend::recognize() { call<RecognizePlace>(kRecognizePlaceService, {}, kLongPatience); }
 
 void PanelBackend::relocalize() { call<Relocalize>(kRelocalizeService, {}, kPatience); }
 

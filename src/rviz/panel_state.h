@@ -68,7 +68,7 @@ class PanelState {
   PanelView view_;  // without the places
   PlaceList places_;
   std::map<std::string, std::string> ended_;  // newest goal of each action that ended
-  std::uint64_t newest_version_ = 0;           // of the map, as the newest change has it
+  std::uint64_t newest_version_ = 0;          // of the map, as the newest change has it
   bool wants_graph_ = true;
 };
 
