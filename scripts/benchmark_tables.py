@@ -175,6 +175,19 @@ def strangers(results):
                   "best of 1000, mean"], rows)
 
 
+def fused_map(results):
+    rows = []
+    for size in results.sizes("fused_map/scratch/"):
+        scratch = results.get("fused_map/scratch/%d" % size, "cpu_seconds")
+        moved = results.get("fused_map/moved/%d" % size, "cpu_seconds")
+        rows.append([size_words(size), time_words(scratch), time_words(moved),
+                     ratio_words(scratch and moved and scratch / moved),
+                     time_words(results.get("fused_map/cells/%d" % size, "cpu_seconds")),
+                     number_words(results.get("fused_map/scratch/%d" % size, "cells"))])
+    return table(["places", "made from them all", "one place moved", "ratio", "laid out to publish",
+                  "cells"], rows)
+
+
 def live_table(live):
     names = (("scan_end_to_answer_ms", "from the end of a scan to the answer"),
              ("call_kept_connection_ms", "a call, over a connection that is kept"),
@@ -210,7 +223,7 @@ def main(folder):
     tables = {"run": run(results), "targets": targets(results, live),
               "recognition": recognition(results), "full_search": full_search(results),
               "parts": parts(results), "store": store(results), "strangers": strangers(results),
-              "live": live_table(live)}
+              "live": live_table(live), "fused_map": fused_map(results)}
     for name, text in tables.items():
         with open(os.path.join(folder, name + ".md"), "w") as file:
             file.write(text)

@@ -20,6 +20,10 @@ namespace {
 
 using sim::Vec2;
 
+// A sonar hears a smooth door from straight before it alone; so far, and so far aside for each
+// metre before it.
+constexpr double kDoorInSight = 1.5;  // [m]
+constexpr double kAside = 0.45;
 constexpr double kInSight = 3.0;    // of a door or a thing [m]
 constexpr double kAtDoor = 0.6;     // from the middle of a change to that of the door [m]
 constexpr double kAtThing = 0.6;    // likewise [m]
@@ -45,6 +49,16 @@ Vec2 middleOfOpen(const sim::Door& door) {
   const double c = std::cos(door.swing);
   const double s = std::sin(door.swing);
   return {door.hinge.x + 0.5 * (c * x - s * y), door.hinge.y + 0.5 * (s * x + c * y)};
+}
+
+bool isStraightBefore(const sim::Door& door, const Vec2& eye) {
+  const Vec2 middle = middleOf(door);
+  const double length = distance(door.hinge, door.latch);
+  const double along_x = (door.latch.x - door.hinge.x) / length;
+  const double along_y = (door.latch.y - door.hinge.y) / length;
+  const double aside = (eye.x - middle.x) * along_x + (eye.y - middle.y) * along_y;
+  const double before = (eye.y - middle.y) * along_x - (eye.x - middle.x) * along_y;
+  return std::abs(before) <= kDoorInSight && std::abs(aside) <= kAside * std::abs(before);
 }
 
 /// Something that stood in one spot and stands in another.
@@ -153,6 +167,7 @@ class Trial {
   void judgeDoors(const sim::Place& place, const std::vector<core::GridChange>& changes) {
     for (std::size_t i = 0; i < before_.doors.size(); ++i) {
       const Vec2 door = middleOf(before_.doors[i]);
+      if (!isStraightBefore(before_.doors[i], place.position)) continue;
       if (!isInSight(scene_before_, place.position, door) ||
           !isInSight(scene_after_, place.position, door)) {
         continue;

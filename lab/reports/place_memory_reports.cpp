@@ -16,8 +16,6 @@ using namespace place_memory;
 
 namespace {
 
-constexpr std::uint64_t kFirstSeed = 9000;
-
 std::string share(std::size_t part, std::size_t whole) {
   const double number = whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
   return std::to_string(part) + " of " + std::to_string(whole) + " (" + std::to_string(number) +
@@ -39,13 +37,24 @@ void measureTwins(const po::variables_map& given, const config::Parameters& para
   core::TwinOptions options;
   options.most = given["most"].as<std::size_t>();
   options.least_likeness = given["likeness"].as<double>();
+  trials::Recipe visit = recipe();
+  visit.any_heading = given.count("any-heading") > 0;
+  if (visit.any_heading) options.heading_window = core::kPi;
+  sim::SimulatedRobot robot;
+  robot.ring.count = given["sonars"].as<int>();
+  robot.ring.spacing = 2.0 * core::kPi / robot.ring.count;
   reports::TwinScore score;
+  const auto first = given["first"].as<std::uint64_t>();
   const auto seeds = given["seeds"].as<std::uint64_t>();
-  for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + seeds; ++seed) {
-    const sim::World world = given.count("world") > 0
-                                 ? sim::loadWorld(given["world"].as<std::string>())
-                                 : sim::generateBuilding(seed);
-    score.add(reports::tryTwins(world, recipe(), seed, parameters, options));
+  for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
+    std::vector<sim::World> worlds;
+    if (given.count("world") > 0)
+      worlds.push_back(sim::loadWorld(given["world"].as<std::string>()));
+    for (std::uint64_t i = 0;
+         given.count("world") == 0 && i < given["buildings"].as<std::uint64_t>(); ++i) {
+      worlds.push_back(sim::generateBuilding(sim::BuildingKind::kCorridor, 100 * seed + i));
+    }
+    score.add(reports::tryTwins(worlds, robot, visit, seed, parameters, options));
   }
   std::cout << "twins: " << score.twins << " of " << score.places
             << " places; confusions: " << share(score.confusions, score.visits)
@@ -55,12 +64,12 @@ void measureTwins(const po::variables_map& given, const config::Parameters& para
 void measureChanges(const po::variables_map& given, const config::Parameters& parameters) {
   core::GridChangeOptions options;
   options.sure = given["sure"].as<int>();
-  options.slack = given["slack"].as<int>();
   options.least_cells = given["cells"].as<std::size_t>();
   reports::ChangeScore score;
   const sim::World world = sim::loadWorld(given["world"].as<std::string>());
+  const auto first = given["first"].as<std::uint64_t>();
   const auto seeds = given["seeds"].as<std::uint64_t>();
-  for (std::uint64_t seed = kFirstSeed; seed < kFirstSeed + seeds; ++seed) {
+  for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
     score.add(reports::tryChanges(world, seed, parameters, options));
   }
   std::cout << score.places
@@ -97,11 +106,14 @@ int main(int argc, char** argv) {
     add("world", po::value<std::string>(), "world file; twins without it: generated buildings");
     add("params", po::value<std::vector<std::string>>()->default_value({}, "")->composing(),
         "parameters");
+    add("first", po::value<std::uint64_t>()->default_value(9100), "seed");
     add("seeds", po::value<std::uint64_t>()->default_value(20), "how many");
+    add("sonars", po::value<int>()->default_value(16), "of the robot");
+    add("buildings", po::value<std::uint64_t>()->default_value(10), "that are one map of twins");
+    add("any-heading", "without a compass, of twins");
     add("most", po::value<std::size_t>()->default_value(twins.most), "twins of one place");
     add("likeness", po::value<double>()->default_value(twins.least_likeness), "of twins, least");
     add("sure", po::value<int>()->default_value(changes.sure), "evidence of a change");
-    add("slack", po::value<int>()->default_value(changes.slack), "of a change [cells]");
     add("cells", po::value<std::size_t>()->default_value(changes.least_cells), "of a change");
     po::positional_options_description positions;
     positions.add("what", 1);

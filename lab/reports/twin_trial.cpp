@@ -14,10 +14,13 @@
 namespace place_memory::reports {
 namespace {
 
-constexpr double kFarOff = 2.0;  // [m]
+constexpr double kFarOff = 2.0;   // [m]
+constexpr double kApart = 500.0;  // from one world of a map to the next [m]
 
 /// A map of what was learned, its ids from 1 on in that order.
 struct LearnedMap {
+  std::size_t parts = 0;
+  std::vector<trials::RecognitionTrial> visits;
   std::vector<core::Scan> scans;
   core::PlaceMap map;
   core::PlaceIndex index;
@@ -31,29 +34,46 @@ core::Scan scanOf(const std::vector<core::SonarReading>& readings, const core::S
   return scan;
 }
 
-LearnedMap learn(const trials::TrialSet& set, const sim::World& world,
-                 const core::SonarModel& sonar) {
-  LearnedMap learned;
-  std::vector<core::Place> places;
+/// Adds what was learned of one world to the map, and its visits.
+void add(const trials::TrialSet& set, const sim::World& world, const core::SonarModel& sonar,
+         std::vector<core::Place>& places, std::vector<core::PlaceLink>& links,
+         LearnedMap& learned) {
+  const auto first = static_cast<core::PlaceId>(places.size()) + 1;
+  const core::Pose2d offset{kApart * static_cast<double>(learned.parts), 0.0, 0.0};
+  const std::string part = std::to_string(learned.parts++) + " ";
   for (const trials::LearnedScan& scan : set.learned) {
     core::Place place;
     place.id = static_cast<core::PlaceId>(places.size()) + 1;
-    place.label = scan.label;
-    place.map_from_place = scan.odom_from_scan;
+    place.label = part + scan.label;
+    place.map_from_place = offset * scan.odom_from_scan;
     learned.scans.push_back(scanOf(scan.readings, sonar, {set.cell_size}));
     learned.index.put(place.id, learned.scans.back().grid);
     places.push_back(place);
   }
-  std::vector<core::PlaceLink> links;
   const auto neighbours = sim::placeNeighbours(world);
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     for (const std::size_t other : neighbours[i]) {
       if (other <= i) continue;
       core::PlaceLink link;
-      link.first = static_cast<core::PlaceId>(i) + 1;
-      link.second = static_cast<core::PlaceId>(other) + 1;
+      link.first = first + static_cast<core::PlaceId>(i);
+      link.second = first + static_cast<core::PlaceId>(other);
       links.push_back(link);
     }
+  }
+  for (trials::RecognitionTrial trial : set.trials) {
+    trial.odom_from_scan = offset * trial.odom_from_scan;
+    for (std::string& label : trial.accept) label.insert(0, part);
+    learned.visits.push_back(std::move(trial));
+  }
+}
+
+LearnedMap learn(const std::vector<sim::World>& worlds, const sim::SimulatedRobot& robot,
+                 const trials::Recipe& recipe, std::uint64_t seed, const core::SonarModel& sonar) {
+  LearnedMap learned;
+  std::vector<core::Place> places;
+  std::vector<core::PlaceLink> links;
+  for (const sim::World& world : worlds) {
+    add(trials::simulateTrials(world, robot, recipe, seed), world, sonar, places, links, learned);
   }
   learned.map = core::PlaceMap(std::move(places), links, 1, {});
   return learned;
@@ -79,12 +99,12 @@ void TwinScore::add(const TwinScore& other) {
   named += other.named;
 }
 
-TwinScore tryTwins(const sim::World& world, const trials::Recipe& recipe, std::uint64_t seed,
+TwinScore tryTwins(const std::vector<sim::World>& worlds, const sim::SimulatedRobot& robot,
+                   const trials::Recipe& recipe, std::uint64_t seed,
                    const config::Parameters& parameters, const core::TwinOptions& options) {
-  const trials::TrialSet set = trials::simulateTrials(world, sim::SimulatedRobot{}, recipe, seed);
   const core::SonarModel sonar(parameters.sonar);
   const core::Recognizer recognizer(parameters.match.recognizer);
-  const LearnedMap learned = learn(set, world, sonar);
+  const LearnedMap learned = learn(worlds, robot, recipe, seed, sonar);
   const auto twins = core::findTwins(
       learned.map, learned.index, recognizer,
       [&](const core::Place& place) {
@@ -97,9 +117,9 @@ TwinScore tryTwins(const sim::World& world, const trials::Recipe& recipe, std::u
   TwinScore score;
   score.places = learned.map.size();
   score.twins = twins.size();
-  for (const trials::RecognitionTrial& trial : set.trials) {
+  for (const trials::RecognitionTrial& trial : learned.visits) {
     ++score.visits;
-    const core::Scan scan = scanOf(trial.readings, sonar, {set.cell_size});
+    const core::Scan scan = scanOf(trial.readings, sonar, {});
     const core::Recognition found =
         *recognizer.recognize(scan, learned.index, framesOf(learned.map), trial.heading_window);
     const core::PlaceMatch& best = found.matches.front();

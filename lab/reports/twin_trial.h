@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "config/parameters.h"
 #include "core/memory/twins.h"
@@ -22,8 +23,9 @@ struct TwinScore {
   void add(const TwinScore& other);
 };
 
-/// Learns the world, reports twins, comes back as the recipe says.
-TwinScore tryTwins(const sim::World& world, const trials::Recipe& recipe, std::uint64_t seed,
+/// Learns the worlds, which are parts of one map, reports twins, and comes back as the recipe says.
+TwinScore tryTwins(const std::vector<sim::World>& worlds, const sim::SimulatedRobot& robot,
+                   const trials::Recipe& recipe, std::uint64_t seed,
                    const config::Parameters& parameters, const core::TwinOptions& options);
 
 }  // namespace place_memory::reports

@@ -111,12 +111,17 @@ void readPlaces(ParameterReader& reader, core::AdaptationOptions& places) {
   reader.number("places/retention", {0.0, 1.0, true, false}, places.retention);
 }
 
-void readMap(ParameterReader& reader, FusedMapOptions& map) {
+void readMap(ParameterReader& reader, MapOptions& map) {
   reader.number("map/resolution", closed(0.01, 1.0), map.resolution);
   reader.integer("map/max_cells", closed(4e6, 4e8), map.max_cells);
   reader.number("map/occupied", open(0.0, 1.0), map.occupied);
   reader.number("map/empty", open(0.0, 1.0), map.empty);
   reader.number("map/pause", closed(0.1, kLongest), map.pause);
+}
+
+void readRoutes(ParameterReader& reader, core::LinkLearningOptions& routes) {
+  reader.number("routes/half_life", closed(1.0, 1000.0 * kDay), routes.half_life);
+  reader.number("routes/speed", closed(0.01, 10.0), routes.speed);
 }
 
 Parameters readAll(ParameterReader& reader) {
@@ -143,6 +148,7 @@ Parameters readAll(ParameterReader& reader) {
   readMatch(reader, parameters.match);
   readPlaces(reader, parameters.places);
   readMap(reader, parameters.map);
+  readRoutes(reader, parameters.routes);
   reader.integer("markers/labels", closed(0, 10000), parameters.markers.labels);
   return parameters;
 }

@@ -6,6 +6,7 @@
 
 #include "place_memory/core/adaptation_options.h"
 #include "place_memory/core/grid_geometry.h"
+#include "place_memory/core/link_learning.h"
 #include "place_memory/core/pose2d.h"
 #include "place_memory/core/recognizer_options.h"
 #include "place_memory/core/sonar_model.h"
@@ -68,7 +69,7 @@ struct MatchOptions {
 };
 
 /// The building's map (nav_msgs/OccupancyGrid).
-struct FusedMapOptions {
+struct MapOptions {
   double resolution = 0.05;    ///< side of a cell [m]
   int max_cells = 16'000'000;  ///< of the box that is mapped
   double occupied = 0.65;      ///< probability from which a cell is occupied
@@ -104,7 +105,8 @@ struct Parameters {
   ScanOptions scan;
   MatchOptions match;
   core::AdaptationOptions places;
-  FusedMapOptions map;
+  MapOptions map;
+  core::LinkLearningOptions routes;
   MarkerOptions markers;
 };
 

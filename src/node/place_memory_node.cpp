@@ -62,6 +62,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       diagnostics_(names_, private_names_),
       services_(private_names_,
                 {*memory_, answer_publisher_, scans_, examiner_, parameters_, store_problem_}),
+      route_services_(private_names_, *memory_, parameters_),
       store_services_(private_names_, *memory_, answer_publisher_, parameters_) {
   setUpDiagnostics();
   sayWhatIsKnown();

@@ -15,6 +15,7 @@
 #include "node/answer/answer_publisher.h"
 #include "node/answer/kept_scans.h"
 #include "node/answer/place_services.h"
+#include "node/answer/route_services.h"
 #include "node/answer/store_services.h"
 #include "node/base/guarded_queue.h"
 #include "node/input/transform_input.h"
@@ -74,8 +75,9 @@ class PlaceMemoryNode {
   ros::SteadyTimer diagnostics_timer_;
   ros::SteadyTimer health_timer_;
   int ticks_without_time_ = 0;
-  PlaceServices services_;
-  StoreServices store_services_;  ///< these two end first: all changes come from them
+  PlaceServices services_;  ///< ends with the next two: all changes come from there
+  RouteServices route_services_;
+  StoreServices store_services_;
 };
 
 }  // namespace place_memory::node

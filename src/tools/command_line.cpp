@@ -47,6 +47,8 @@ po::options_description describe(Arguments& arguments) {
   add("answers", po::value(&arguments.drive.answers),
       "table to write of what became of each scan: "
       "t,decision,place,dx,dy,dyaw,belief,lost,reason");
+  add("png", po::value(&arguments.drive.png),
+      "picture to write: the building, its places and links, and the way driven");
   return options;
 }
 
@@ -59,7 +61,7 @@ void checkTogether(const Arguments& arguments) {
     for (const auto& [option, path] :
          {std::make_pair("--trajectory", drive.trajectory),
           std::make_pair("--final", drive.final_way), std::make_pair("--map", drive.map),
-          std::make_pair("--answers", drive.answers)}) {
+          std::make_pair("--answers", drive.answers), std::make_pair("--png", drive.png)}) {
       if (!path.empty()) throw std::runtime_error(std::string(option) + " needs --mode");
     }
     return;
@@ -100,7 +102,7 @@ std::optional<Arguments> readArguments(int argc, const char* const* argv, std::o
     help << "usage: place_memory_bag --bag F... [--events F] --out F [--report F] [--params F]... "
             "[--store F]\n"
             "       place_memory_bag --bag F... --mode map|localize [--trajectory F] [--final F] "
-            "[--map F] [--answers F] [--params F]... [--store F]\n\n"
+            "[--map F] [--answers F] [--png F] [--params F]... [--store F]\n\n"
          << options
          << "\nExit status: 0: every event was answered; 3: the table of results is complete, but "
             "some\nevents failed; 1: nothing was done, or not all of it, as the message says.\n";

@@ -11,9 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "config/memory_options.h"
 #include "core/mapping/final_way.h"
 #include "core/mapping/mapper.h"
 #include "core/memory/driven_map.h"
+#include "picture/kept_map_picture.h"
 #include "tools/drive_reader.h"
 #include "tools/drive_tables.h"
 
@@ -172,6 +174,18 @@ void tell(const Drive& drive, const core::Mapper& mapper, const DriveLosses& los
   std::cerr << '\n';
 }
 
+picture::MapMaking mapMaking(const config::Parameters& parameters) {
+  return {config::fusedMapOptions(parameters), parameters.grid, parameters.sonar};
+}
+
+std::vector<core::Pose2d> wayOf(const Drive& drive, const core::FinalWay& way) {
+  std::vector<core::Pose2d> poses;
+  for (const OdometryMoment& moment : drive.way()) {
+    poses.push_back(way.at(moment.stamp, moment.odom_from_base));
+  }
+  return poses;
+}
+
 }  // namespace
 
 void runDrive(const BagSet& bags, BagScanner& scanner, const DriveArguments& arguments,
@@ -183,6 +197,8 @@ void runDrive(const BagSet& bags, BagScanner& scanner, const DriveArguments& arg
   DriveTable final_way(arguments.final_way, kFinalHeader);
   DriveTable map(arguments.map, kMapHeader);
   DriveTable answers(arguments.answers, kAnswersHeader);
+  if (!arguments.png.empty())
+    picture::writeMapPicture({}, arguments.png);  // tells at once if it cannot
 
   Drive drive(mapper, trajectory, answers);
   const DriveLosses losses = readDrive(bags, scanner, parameters, drive);
@@ -193,9 +209,17 @@ void runDrive(const BagSet& bags, BagScanner& scanner, const DriveArguments& arg
       final_way.add(finalRow(moment.stamp, way.at(moment.stamp, moment.odom_from_base)));
     }
   }
+  const auto label_of = [&store](core::PlaceId id) {
+    const std::string label = store ? store->labelOf(id) : std::string();
+    return label.empty() ? "place_" + std::to_string(id) : label;
+  };
   for (const core::MappedPlace& place : mapper.places()) {
-    const std::string label = store ? store->labelOf(place.id) : std::string();
-    if (!place.apart) map.add(mapRow(place, label.empty() ? place.label : label));
+    if (!place.apart) map.add(mapRow(place, label_of(place.id)));
+  }
+  if (!arguments.png.empty()) {
+    picture::DrawnMap drawn = drawnMap(mapper.map(), mapMaking(parameters), label_of);
+    if (!way.empty()) drawn.ways.push_back(wayOf(drive, way));
+    writeMapPicture(drawn, arguments.png);
   }
   for (DriveTable* table : {&trajectory, &final_way, &map, &answers}) table->close();
   tell(drive, mapper, losses);

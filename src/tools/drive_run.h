@@ -16,6 +16,7 @@ struct DriveArguments {
   std::string final_way;   ///< the same way once more, as the map lies at the end
   std::string map;         ///< the places
   std::string answers;     ///< what became of each scan
+  std::string png;         ///< picture of the building, its places and links, and the way
 };
 
 /// Drives the way of bags along with a map: one that it makes, and takes up and keeps in

@@ -36,7 +36,9 @@ constexpr std::array<Command, 13> kCommands{{
     {"stats", 0, 0, "stats                 numbers of the map"},
     {"check", 0, 0, "check                 read every row of a store, and name what is damaged"},
     {"twins", 0, 0, "twins                 places that look alike, and what parts them"},
-    {"changes", 0, 1, "changes [PLACE]       what has changed at places since they were learned"},
+    {"changes", 0, 1,
+     "changes [PLACE]       what has changed at places since they were learned, or as the places "
+     "of --from FILE show"},
     {"plan", 2, 2, "plan FROM TO          the way from place to place"},
 }};
 

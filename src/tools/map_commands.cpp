@@ -1,20 +1,19 @@
 #include "tools/map_commands.h"
 
 #include <algorithm>
-#include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <map>
 #include <memory>
-#include <set>
 
 #include "config/load_parameters.h"
 #include "core/memory/map_export.h"
+#include "picture/grid_picture.h"
+#include "picture/png.h"
+#include "picture/svg_text.h"
+#include "tools/map_tables.h"
 #include "tools/node_source.h"
-#include "tools/png.h"
 #include "tools/record_table.h"
+#include "tools/store_reports.h"
 #include "tools/store_source.h"
 
 namespace place_memory::tools {
@@ -22,7 +21,7 @@ namespace {
 
 constexpr std::size_t kChangesShown = 20;
 constexpr std::size_t kMatchesShown = 10;
-constexpr std::uint32_t kPixelsPerCell = 8;
+constexpr int kPixelsPerCell = 8;
 
 constexpr char kWhyNoCp[] =
     "A store that a node has open is not copied soundly by cp: SQLite writes a change page by "
@@ -31,18 +30,18 @@ constexpr char kWhyNoCp[] =
     "both. "
     "Ask the node for\na copy by its service ~save, or stop it first.";
 
-std::int64_t integer(std::size_t number) { return static_cast<std::int64_t>(number); }
-
-/// In UTC; empty where there is none.
-std::string timeInWords(std::chrono::nanoseconds time) {
-  if (time.count() == 0) return "";
-  const auto seconds =
-      static_cast<std::time_t>(std::chrono::duration_cast<std::chrono::seconds>(time).count());
-  std::tm date{};
-  gmtime_r(&seconds, &date);
-  char text[sizeof("2000-00-00T00:00:00Z") + 8];
-  std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &date);
-  return text;
+/// East to the right, north up.
+std::string placeAsPng(const core::EvidenceGrid& grid) {
+  const picture::Color unsensed{0xc4, 0xc4, 0xc4};
+  std::vector<picture::Color> pixels;
+  constexpr int kWidth = core::kGridSize * kPixelsPerCell;
+  for (int y = kWidth - 1; y >= 0; --y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const int evidence = grid.at(y / kPixelsPerCell, x / kPixelsPerCell);
+      pixels.push_back(evidence == 0 ? unsensed : picture::shadeOf(evidence));
+    }
+  }
+  return picture::encodePng(pixels, kWidth);
 }
 
 const core::Place& placeOf(const core::MapSnapshot& map, const std::string& label) {
@@ -61,6 +60,7 @@ class Commands {
 
   ExitStatus run() {
     if (arguments_.command == "check") return check();
+    if (arguments_.command == "twins" || arguments_.command == "changes") return report();
     open();
     if (arguments_.command == "list") return list();
     if (arguments_.command == "show") return show();
@@ -71,7 +71,7 @@ class Commands {
     if (arguments_.command == "history") return history();
     if (arguments_.command == "undo") return undo();
     if (arguments_.command == "stats") return stats();
-    throw CommandError("command '" + arguments_.command + "' is not built in");
+    return plan();
   }
 
  private:
@@ -103,48 +103,24 @@ class Commands {
   }
 
   ExitStatus list() {
-    RecordTable table({"id", "label", "session", "x", "y", "yaw", "learned"});
-    for (const core::Place& place : source_->map().places) {
-      const core::Pose2d& pose = place.map_from_place;
-      table.add({place.id, place.label, place.session, Decimal{pose.x}, Decimal{pose.y},
-                 Decimal{pose.yaw}, timeInWords(place.learned)});
-    }
-    print(table);
+    print(placeTable(source_->map().places));
     return kDone;
   }
 
   ExitStatus show() {
     const core::MapSnapshot map = source_->map();
     const core::Place& place = placeOf(map, arguments_.words.front());
-    const core::Pose2d& pose = place.map_from_place;
-    RecordTable table({"id", "label", "session", "x", "y", "yaw", "learned", "identity"});
-    table.add({place.id, place.label, place.session, Decimal{pose.x}, Decimal{pose.y},
-               Decimal{pose.yaw}, timeInWords(place.learned),
-               core::identityInWords(place.identity)});
-    print(table);
-    if (!arguments_.json) printLinks(map, place);
+    print(placeTable({place}));
+    if (!arguments_.json) {
+      out_ << "identity " << core::identityInWords(place.identity) << "\n\n";
+      linkTable(map, place).print(out_);
+    }
     if (arguments_.png.empty()) return kDone;
     std::ofstream picture(arguments_.png, std::ios::binary);
-    picture << asPng(pictureOf(source_->grid(place.id), kPixelsPerCell));
+    picture << placeAsPng(source_->grid(place.id));
     picture.close();
     if (!picture) throw CommandError("cannot write the picture " + arguments_.png);
     return kDone;
-  }
-
-  void printLinks(const core::MapSnapshot& map, const core::Place& place) {
-    std::map<core::PlaceId, std::string> labels;
-    for (const core::Place& other : map.places) labels[other.id] = other.label;
-    RecordTable table({"linked to", "metres", "arrived", "gave up"});
-    for (const core::PlaceLink& link : map.links) {
-      if (link.first != place.id && link.second != place.id) continue;
-      const bool is_first = link.first == place.id;
-      const core::LinkDirection& there = is_first ? link.forward : link.backward;
-      table.add({labels[is_first ? link.second : link.first],
-                 Decimal{std::hypot(link.first_from_second.x, link.first_from_second.y), 2},
-                 std::int64_t{there.succeeded}, std::int64_t{there.failed}});
-    }
-    if (table.size() > 0) out_ << '\n';
-    table.print(out_);
   }
 
   ScanChoice scanChoice() const {
@@ -189,6 +165,19 @@ class Commands {
     return found.verdict == core::nameOf(core::Verdict::kRecognized) ? kDone : kNo;
   }
 
+  ExitStatus plan() {
+    const PlannedRoute route = source_->plan(arguments_.words[0], arguments_.words[1]);
+    if (!route.problem.empty()) throw CommandError(route.problem, kNo);
+    RecordTable table({"leg", "place"});
+    for (std::size_t i = 0; i < route.labels.size(); ++i) {
+      table.add({static_cast<std::int64_t>(i), route.labels[i]});
+    }
+    print(table);
+    notes_ << picture::decimal(route.cost, 1) << " s, odds " << picture::decimal(route.odds, 2)
+           << '\n';
+    return kDone;
+  }
+
   ExitStatus merge() {
     std::vector<std::string> collisions;
     const ExitStatus status = say(source_->merge(arguments_.words.front(), collisions));
@@ -196,25 +185,15 @@ class Commands {
     return status;
   }
 
-  void print(const std::vector<core::PastChange>& changes) {
-    RecordTable table({"back", "made", "change"});
-    std::int64_t back = 0;
-    for (const core::PastChange& change : changes) {
-      table.add({++back, timeInWords(change.stamp),
-                 change.words + (change.can_be_undone ? "" : " (cannot be undone)")});
-    }
-    print(table);
-  }
-
   ExitStatus history() {
     const auto changes = source_->history(arguments_.count == 0 ? kChangesShown : arguments_.count);
-    print(changes);
+    print(historyTable(changes));
     return kDone;
   }
 
   ExitStatus undo() {
     try {
-      print(source_->undo(std::max<std::size_t>(1, arguments_.count)));
+      print(historyTable(source_->undo(std::max<std::size_t>(1, arguments_.count))));
     } catch (const core::PlaceMemoryError& error) {
       if (error.reason() != core::PlaceMemoryError::Reason::kNothingToUndo) throw;
       throw CommandError(error.what(), kNo);
@@ -223,26 +202,24 @@ class Commands {
   }
 
   ExitStatus stats() {
-    const core::MapSnapshot map = source_->map();
-    std::set<core::SessionId> sessions;
-    for (const core::Place& place : map.places) sessions.insert(place.session);
-    double way = 0.0;
-    std::int64_t arrived = 0;
-    std::int64_t gave_up = 0;
-    for (const core::PlaceLink& link : map.links) {
-      way += std::hypot(link.first_from_second.x, link.first_from_second.y);
-      arrived += link.forward.succeeded + link.backward.succeeded;
-      gave_up += link.forward.failed + link.backward.failed;
-    }
-    RecordTable table({"places", "links", "sessions", "metres of links", "arrived", "gave up",
-                       "version", "changed", "bytes"});
     std::error_code error;
     const auto bytes =
         arguments_.store.empty() ? 0 : std::filesystem::file_size(arguments_.store, error);
-    table.add({integer(map.places.size()), integer(map.links.size()), integer(sessions.size()),
-               Decimal{way, 1}, arrived, gave_up, static_cast<std::int64_t>(map.version),
-               timeInWords(map.stamp), static_cast<std::int64_t>(bytes)});
-    print(table);
+    print(statsTable(source_->map(), bytes));
+    return kDone;
+  }
+
+  ExitStatus report() {
+    if (arguments_.store.empty()) {
+      throw CommandError(
+          "reports are made of a store: name it by --store, of a node the copy that "
+          "its service ~save writes");
+    }
+    print(arguments_.command == "twins"
+              ? twinTable(arguments_.store, parameters_)
+              : changeTable(arguments_.store,
+                            arguments_.words.empty() ? "" : arguments_.words.front(),
+                            arguments_.from, parameters_));
     return kDone;
   }
 

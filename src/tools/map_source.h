@@ -52,6 +52,14 @@ struct Recognized {
   std::vector<Match> matches;
 };
 
+/// A way from place to place.
+struct PlannedRoute {
+  std::string problem;              ///< why there is none; empty: there is one
+  std::vector<std::string> labels;  ///< from the start to the goal
+  double cost = 0.0;                ///< expected time until the robot is there [s]
+  double odds = 1.0;                ///< of getting through at the first attempt
+};
+
 /// A map, be it in a file or in a node that runs. What fails throws CommandError, or another
 /// std::exception that says why.
 class MapSource {
@@ -68,6 +76,7 @@ class MapSource {
   virtual std::string exportTo(const std::string& folder) = 0;
   /// A sentence for each label that was taken is added to `collisions`.
   virtual std::string merge(const std::string& path, std::vector<std::string>& collisions) = 0;
+  virtual PlannedRoute plan(const std::string& from, const std::string& to) = 0;
   virtual Recognized recognize(const ScanChoice& scan) = 0;
   virtual std::vector<core::PastChange> history(std::size_t count) = 0;
   virtual std::vector<core::PastChange> undo(std::size_t count) = 0;

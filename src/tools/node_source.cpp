@@ -5,6 +5,7 @@
 #include <place_memory/GetGraph.h>
 #include <place_memory/LearnPlace.h>
 #include <place_memory/Merge.h>
+#include <place_memory/PlanRoute.h>
 #include <place_memory/RecognizePlace.h>
 #include <place_memory/ScanPlaceAction.h>
 #include <place_memory/Undo.h>
@@ -16,6 +17,7 @@
 #include <ros/spinner.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace place_memory::tools {
 namespace {
@@ -80,8 +82,8 @@ NodeSource::NodeSource(const std::string& name) {
 NodeSource::~NodeSource() { ros::shutdown(); }
 
 template <class Service>
-typename Service::Response NodeSource::call(const char* service,
-                                            const typename Service::Request& request) {
+typename Service::Response NodeSource::ask(const char* service,
+                                           const typename Service::Request& request) {
   const std::string name = name_ + "/" + service;
   if (!ros::service::waitForService(name, kPatience)) {
     throw CommandError(
@@ -93,6 +95,13 @@ typename Service::Response NodeSource::call(const char* service,
   if (!ros::service::call(name, asked, response)) {
     throw CommandError("the node did not answer on " + name, kNoAnswer);
   }
+  return response;
+}
+
+template <class Service>
+typename Service::Response NodeSource::call(const char* service,
+                                            const typename Service::Request& request) {
+  const typename Service::Response response = ask<Service>(service, request);
   if (response.status != Service::Response::OK) throw CommandError(response.message);
   return response;
 }
@@ -148,6 +157,20 @@ Recognized NodeSource::recognize(const ScanChoice& choice) {
         {match.label, match.probability, match.score, toCore(match.transform)});
   }
   return result;
+}
+
+PlannedRoute NodeSource::plan(const std::string& from, const std::string& to) {
+  PlanRoute::Request request;
+  request.start_label = from;
+  request.goal_label = to;
+  const auto response = ask<PlanRoute>("plan_route", request);
+  PlannedRoute route;
+  if (response.status == PlanRoute::Response::FAILED) throw CommandError(response.message);
+  if (response.status != PlanRoute::Response::OK) route.problem = response.message;
+  route.labels = response.route.labels;
+  route.cost = response.route.cost;
+  route.odds = response.route.odds;
+  return route;
 }
 
 std::string NodeSource::exportTo(const std::string& folder) {

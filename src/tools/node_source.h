@@ -25,11 +25,16 @@ class NodeSource : public MapSource {
   std::string learn(const std::string& label, const ScanChoice& scan) override;
   std::string exportTo(const std::string& folder) override;
   std::string merge(const std::string& path, std::vector<std::string>& collisions) override;
+  PlannedRoute plan(const std::string& from, const std::string& to) override;
   Recognized recognize(const ScanChoice& scan) override;
   std::vector<core::PastChange> history(std::size_t count) override;
   std::vector<core::PastChange> undo(std::size_t count) override;
 
  private:
+  /// Whatever the answer is.
+  template <class Service>
+  typename Service::Response ask(const char* service, const typename Service::Request& request);
+  /// The answer says that it was done; otherwise its message is thrown.
   template <class Service>
   typename Service::Response call(const char* service, const typename Service::Request& request);
   void scan();

@@ -5,6 +5,7 @@
 #include <functional>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -47,6 +48,17 @@ std::ofstream openTable(const std::string& path) {
   return table;
 }
 
+/// A place whose grid cannot be read is drawn without it.
+core::FusedMap::GridOf gridsOf(const core::PlaceMemory& memory) {
+  return [&memory](core::PlaceId id) -> std::shared_ptr<const core::EvidenceGrid> {
+    try {
+      return std::make_shared<const core::EvidenceGrid>(memory.grid(id));
+    } catch (const core::PlaceMemoryError&) {
+      return nullptr;
+    }
+  };
+}
+
 int process(const Arguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   config::Parameters parameters = config::loadParameters(arguments.params);
@@ -72,7 +84,7 @@ int process(const Arguments& arguments) {
   const std::size_t failed = answers.answerAll(events);
   table.close();
   if (!table) throw std::runtime_error("cannot write the results " + arguments.out);
-  if (report) report->finish(memory.map());
+  if (report) report->finish(memory.map(), gridsOf(memory), parameters.grid.cell_size);
 
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   std::cerr << events.size() << " events, " << failed << " failed, in " << std::fixed

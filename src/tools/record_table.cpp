@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "picture/svg_text.h"
 #include "support/text.h"
-#include "tools/svg.h"
 
 namespace place_memory::tools {
 namespace {
@@ -15,7 +15,7 @@ std::string inWords(const Cell& cell) {
   if (const auto* text = std::get_if<std::string>(&cell)) return support::printable(*text);
   if (const auto* number = std::get_if<std::int64_t>(&cell)) return std::to_string(*number);
   if (const auto* number = std::get_if<Decimal>(&cell)) {
-    return std::isfinite(number->number) ? decimal(number->number, number->decimals) : "-";
+    return std::isfinite(number->number) ? picture::decimal(number->number, number->decimals) : "-";
   }
   return std::get<bool>(cell) ? "yes" : "no";
 }

@@ -3,12 +3,19 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "tools/grid_picture.h"
-#include "tools/map_picture.h"
-#include "tools/svg.h"
+#include "picture/grid_picture.h"
+#include "picture/map_picture.h"
+#include "picture/svg_text.h"
 
 namespace place_memory::tools {
 namespace {
+
+using picture::decimal;
+using picture::escaped;
+using picture::mapPictures;
+using picture::overlayPicture;
+using picture::placePicture;
+using picture::scanPicture;
 
 // Totals and map are known last and read first: the page puts them there.
 constexpr char kStyle[] = R"(
@@ -128,7 +135,8 @@ void ReportPage::add(const ReportedEvent& event) {
   page_.flush();
 }
 
-void ReportPage::finish(const core::MapSnapshot& map) {
+void ReportPage::finish(const core::MapSnapshot& map, const core::FusedMap::GridOf& grid_of,
+                        double cell_size) {
   const std::size_t events =
       std::accumulate(totals_.begin(), totals_.end(), std::size_t{0},
                       [](std::size_t sum, const auto& total) { return sum + total.second; });
@@ -141,7 +149,8 @@ void ReportPage::finish(const core::MapSnapshot& map) {
   page_ << "<tr><th>places in the map</th><td>" << map.places.size()
         << "</td></tr>\n<tr><th>links</th><td>" << map.links.size() << "</td></tr></table>\n"
         << "<h2>Map</h2>\n"
-        << (map.places.empty() ? paragraph("It has no place.") : mapPictures(map))
+        << (map.places.empty() ? paragraph("It has no place.")
+                               : mapPictures(map, grid_of, cell_size))
         << "</div>\n</body>\n</html>\n";
   page_.close();
   if (!page_) throw std::runtime_error("cannot write the report " + path_);

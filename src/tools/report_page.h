@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mapping/fused_map.h"
 #include "place_memory/core/place_memory.h"
 #include "tools/event_table.h"
 #include "tools/result_table.h"
@@ -35,8 +36,10 @@ class ReportPage {
              const std::vector<std::string>& notes);
 
   void add(const ReportedEvent& event);
-  /// Writes totals and map. Throws std::runtime_error where the file could not be written.
-  void finish(const core::MapSnapshot& map);
+  /// Writes totals and map, for which the grids of places of cells of `cell_size` [m] are asked
+  /// for. Throws std::runtime_error where the file could not be written.
+  void finish(const core::MapSnapshot& map, const core::FusedMap::GridOf& grid_of,
+              double cell_size);
 
  private:
   std::string path_;

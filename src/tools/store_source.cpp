@@ -89,6 +89,20 @@ Recognized StoreSource::recognize(const ScanChoice& choice) {
   return result;
 }
 
+PlannedRoute StoreSource::plan(const std::string& from, const std::string& to) {
+  core::RouteQuery query;
+  query.start = core::RouteEnd{core::kNoPlace, from, std::nullopt};
+  query.goal.label = to;
+  query.second = false;
+  const core::RoutePlan found = memory_.plan(query);
+  PlannedRoute route;
+  route.problem = found.answer.reason;
+  for (const core::Place& place : found.best) route.labels.push_back(place.label);
+  route.cost = found.answer.best.cost;
+  route.odds = found.answer.best.odds;
+  return route;
+}
+
 std::string StoreSource::exportTo(const std::string& folder) {
   const auto files = core::exportMap(
       memory_.map(), [this](core::PlaceId id) { return memory_.grid(id); },

@@ -25,6 +25,7 @@ class StoreSource : public MapSource {
   std::string learn(const std::string& label, const ScanChoice& scan) override;
   std::string exportTo(const std::string& folder) override;
   std::string merge(const std::string& path, std::vector<std::string>& collisions) override;
+  PlannedRoute plan(const std::string& from, const std::string& to) override;
   Recognized recognize(const ScanChoice& scan) override;
   std::vector<core::PastChange> history(std::size_t count) override {
     return memory_.history(count);

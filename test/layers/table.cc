@@ -23,6 +23,7 @@ const std::map<std::string, std::string> kPublicHeaders{
     {"place_memory/core/scan.h", "core/sensing"},
     {"place_memory/core/sonar_model.h", "core/sensing"},
     {"place_memory/core/place_id.h", "core/place_id"},
+    {"place_memory/core/link_learning.h", "core/map"},
     {"place_memory/core/map_change.h", "core/map"},
     {"place_memory/core/map_history.h", "core/map"},
     {"place_memory/core/place.h", "core/map"},
@@ -33,6 +34,7 @@ const std::map<std::string, std::string> kPublicHeaders{
     {"place_memory/core/recognition.h", "core/recognize"},
     {"place_memory/core/recognizer_options.h", "core/recognize"},
     {"place_memory/core/rescoring_weights.h", "core/recognize"},
+    {"place_memory/core/routes.h", "core/route"},
     {"place_memory/core/store_opening.h", "core/store"},
     {"place_memory/core/merge_report.h", "core/memory"},
     {"place_memory/core/place_memory.h", "core/memory"},
@@ -59,8 +61,10 @@ const std::map<std::string, Parts> kMayUse{
     {"core/match", {"core/index", "core/kernels"}},
     {"core/recognize", {"core/match", "core/sensing"}},
     {"core/mapping", {"core/recognize", "core/map"}},
+    {"core/route", {"core/map"}},
+    {"core/drive", {"core/route", "core/sensing"}},
     {"core/store", {"core/map", "core/grid"}},
-    {"core/memory", {"core/mapping", "core/store"}},
+    {"core/memory", {"core/drive", "core/mapping", "core/route", "core/store"}},
 
     {"config", {"core/memory", "yaml-cpp"}},
 
@@ -80,16 +84,18 @@ const std::map<std::string, Parts> kMayUse{
     {"node/drive", {"node"}},
     {"node", {"config", "ros", "node/input", "node/scan", "node/answer", "node/map", "node/drive"}},
 
-    {"tools", {"config", "ros", "node/input", "node/scan"}},
+    {"picture", {"core/memory", "boost"}},
+    {"tools", {"config", "picture", "ros", "node/input", "node/scan"}},
     {"rviz", {"support", "ros", "qt", "boost"}},
 
-    {"lab", {"config", "sim/robot", "json"}},  // every folder of it
+    {"lab", {"config", "picture", "sim/robot", "json"}},  // every folder of it
     {"lab/trials", {"lab"}},
     {"lab/training", {"lab/trials"}},
     {"lab/experiments", {"lab/trials"}},
     {"lab/benchmark", {"lab/trials", "google_benchmark"}},
     {"lab/mapping", {"lab/trials"}},
     {"lab/reports", {"lab/trials"}},
+    {"lab/routes", {"lab"}},
 };
 
 /// Single files that may use more than their part, and why.
@@ -105,8 +111,8 @@ struct Rule {
 const std::vector<Rule>& headerRules() {
   static const std::vector<Rule> rules{
       {std::regex("(core|sim|node)/([a-z0-9_]+)/[a-z0-9_]+\\.h"), "$1/$2"},
-      {std::regex("(config|sim_node|node|support|tools)/[a-z0-9_]+\\.h"), "$1"},
-      {std::regex("(trials|training|experiments|reports)/[a-z0-9_]+\\.h"), "lab/$1"},
+      {std::regex("(config|picture|sim_node|node|support|tools)/[a-z0-9_]+\\.h"), "$1"},
+      {std::regex("(trials|training|experiments|reports|routes)/[a-z0-9_]+\\.h"), "lab/$1"},
       {std::regex("benchmark/benchmark\\.h"), "google_benchmark"},
       {std::regex("benchmark/[a-z0-9_]+\\.h"), "lab/benchmark"},
       {std::regex("embedded_presets\\.h"), "config"},  // generated
@@ -133,7 +139,7 @@ void addAll(const std::string& part, Parts& reached) {
 
 std::optional<std::string> partOfFile(const std::string& file) {
   static const std::regex in_group("src/(core|sim|node)/([a-z0-9_]+)/.+");
-  static const std::regex in_layer("src/(config|node|rviz|sim_node|support|tools)/.+");
+  static const std::regex in_layer("src/(config|node|picture|rviz|sim_node|support|tools)/.+");
   static const std::regex in_lab("(lab/[a-z]+)/.+");
   std::smatch match;
   if (file.rfind("include/", 0) == 0)

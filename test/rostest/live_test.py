@@ -11,6 +11,7 @@ import unittest
 import actionlib
 import rospy
 from actionlib_msgs.msg import GoalStatus
+from nav_msgs.srv import GetPlan
 from place_memory import msg, srv
 from roslib.packages import find_node
 
@@ -30,6 +31,10 @@ SERVICES = {
     "remove_place": srv.RemovePlace,
     "clear": srv.Clear,
     "get_graph": srv.GetGraph,
+    "plan_route": srv.PlanRoute,
+    "report_traversal": srv.ReportTraversal,
+    "set_link": srv.SetLink,
+    "make_plan": GetPlan,
 }
 
 

@@ -4,13 +4,16 @@
 usage: drive_tool_test.py PLACE_MEMORY_BAG [UNITTEST OPTION]...
 """
 
+import collections
 import csv
 import math
 import os
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 import rosbag
 
@@ -26,6 +29,7 @@ COLUMNS = {
     "map": "id,label,t,x,y,yaw",
     "answers": "t,decision,place,dx,dy,dyaw,belief,lost,reason",
 }
+PLACE, WAY = bytes((32, 96, 192)), bytes((240, 150, 40))
 DECISIONS = {"new_place", "tracked", "closed", "candidate", "between", "lost"}
 
 
@@ -37,6 +41,25 @@ def rows(path):
 def read(path):
     with open(path, "rb") as file:
         return file.read()
+
+
+class Picture:
+    """Of a PNG file as the tool writes it: RGB, unfiltered."""
+
+    def __init__(self, path):
+        data = read(path)
+        self.width, self.height = struct.unpack(">II", data[16:24])
+        start = data.index(b"IDAT")
+        length, = struct.unpack(">I", data[start - 4:start])
+        self.bytes = zlib.decompress(data[start + 4:start + 4 + length])
+
+    def shares(self):
+        """Of the pixels, by colour."""
+        size = 3 * self.width + 1
+        pixels = [self.bytes[row * size + 1 + i:row * size + 4 + i]
+                  for row in range(self.height) for i in range(0, 3 * self.width, 3)]
+        counts = collections.Counter(pixels)
+        return collections.Counter({colour: n / len(pixels) for colour, n in counts.items()})
 
 
 class DriveToolTest(unittest.TestCase):
@@ -179,6 +202,26 @@ class DriveToolTest(unittest.TestCase):
         self.assertIn("places", answer.stderr)
         self.assertEqual(os.listdir(self.folder), ["m.csv"])
 
+    def test_a_picture_of_the_map(self):
+        path = self.path("map.png")
+        answer = self.run_tool("--bag", self.bag, "--mode", "map", "--png", path, "--store",
+                               self.store)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        picture = Picture(path)
+        self.assertEqual(max(picture.width, picture.height), 1400)
+        colours = picture.shares()
+        self.assertGreater(colours[b"\xff\xff\xff"], 0.05)  # empty
+        self.assertGreater(colours[b"\0\0\0"], 0.01)  # occupied
+        self.assertGreater(colours[PLACE], 0.0005)
+        self.assertGreater(colours[WAY], 0.0005)
+        self.assertLess(os.path.getsize(path), 300000)
+
+        later = self.path("later.png")
+        answer = self.run_tool("--bag", self.later_bag, "--mode", "localize", "--png", later,
+                               "--store", self.store)
+        self.assertEqual(answer.returncode, 0, answer.stderr)
+        self.assertGreater(Picture(later).shares()[WAY], 0.0005)
+
     def test_odometry_that_starts_anew_begins_a_session_that_joins_by_itself(self):
         bag = self.path("reset.bag")
         CorridorBag(bag, START, rounds=3, seed=1, reset_at=60.0)
@@ -241,6 +284,10 @@ class DriveToolTest(unittest.TestCase):
                             "needs --mode")
         self.assert_refused(refused("--mode", "map", "--map", "/nowhere/m.csv"),
                             "cannot write the table /nowhere/m.csv")
+        self.assert_refused(refused("--mode", "map", "--png", "/nowhere/m.png"),
+                            "cannot write the picture /nowhere/m.png")
+        self.assert_refused(refused("--out", self.path("o.csv"), "--png", "m.png"), "--png",
+                            "needs --mode")
         self.assert_refused(refused("--mode", "localize"), "needs a map", "--store")
         self.assert_refused(refused("--mode", "localize", "--store", self.store), "needs a map",
                             "there is no store", "--mode map")

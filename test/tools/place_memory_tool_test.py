@@ -86,7 +86,7 @@ class MapToolTest(unittest.TestCase):
         begin = content.index(b"IDAT")
         size = struct.unpack(">I", content[begin - 4:begin])[0]
         pixels = zlib.decompress(content[begin + 4:begin + 4 + size])
-        self.assertEqual(len(pixels), 512 * 513)
+        self.assertEqual(len(pixels), 512 * (1 + 3 * 512))
         self.assertGreater(len(set(pixels)), 10)
         self.say("show", "attic", status=NO)
 
@@ -111,6 +111,11 @@ class MapToolTest(unittest.TestCase):
         self.assertEqual(self.labels(), ["hall"])
         self.say("undo", "--count", "2", status=NO)
         self.assertEqual(self.labels(), ["hall"])
+
+    def test_a_way_is_planned(self):
+        legs = json.loads(self.say("plan", "study", "hall", "--json").stdout)
+        self.assertEqual([leg["place"] for leg in legs], ["study", "hall"])
+        self.say("plan", "hall", "attic", status=NO)
 
     def test_stores_are_merged(self):
         other = self.path("other.db")

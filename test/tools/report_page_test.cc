@@ -31,7 +31,7 @@ class ReportPageTest : public testing::Test {
   std::string written(const ReportedEvent& event, const core::MapSnapshot& map = {}) {
     ReportPage page(folder_.file("r.html"), "the bag a<b.bag", {"a note & more"});
     page.add(event);
-    page.finish(map);
+    page.finish(map, nullptr, core::kDefaultCellSize);
     return support::readWholeFile(folder_.file("r.html"));
   }
 

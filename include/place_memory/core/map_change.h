@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -46,6 +47,7 @@ struct PlaceRemoved {
 /// The link is there from now on; where there was one between the two, this one takes its place.
 struct LinkAdded {
   PlaceLink link;
+  std::optional<Traversal> traversal{};  ///< by which it was found; goes into the history
 };
 
 struct LinkRemoved {
@@ -58,6 +60,7 @@ struct LinkLearned {
   PlaceId from = kNoPlace;
   PlaceId to = kNoPlace;
   LinkDirection direction;
+  std::optional<Traversal> traversal{};  ///< from which it was learned; goes into the history
 };
 
 /// Every place and every link goes.

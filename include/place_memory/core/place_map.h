@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <unordered_map>
@@ -18,14 +19,40 @@ namespace place_memory::core {
 
 struct MapChange;
 
-/// What is known of going along a link one way.
+/// What is known of going along a link one way. What is older counts for less, see
+/// LinkLearningOptions.
 struct LinkDirection {
   std::uint32_t succeeded = 0;       ///< traversals
   std::uint32_t failed = 0;          ///< traversals that were begun and given up
-  std::chrono::nanoseconds last{0};  ///< newest traversal of either outcome; 0: none
+  std::chrono::nanoseconds last{0};  ///< newest traversal, or word of a person; 0: none
+  double through = 0.0;              ///< traversals that succeeded as they count at `last`, >= 0
+  double blocked = 0.0;              ///< those that failed, likewise
+  double time = 0.0;                 ///< that one takes which succeeds, mean [s]; 0: none was timed
+  double time_sigma = 0.0;           ///< its spread [s]
+  double lost_time = 0.0;            ///< that one takes which fails, mean [s]; 0: none was timed
+  double toll = 0.0;                 ///< a person's: routes count so much time more [s], >= 0
+  bool forbidden = false;            ///< by a person: no route goes here
 
   bool operator==(const LinkDirection& other) const {
-    return succeeded == other.succeeded && failed == other.failed && last == other.last;
+    return succeeded == other.succeeded && failed == other.failed && last == other.last &&
+           through == other.through && blocked == other.blocked && time == other.time &&
+           time_sigma == other.time_sigma && lost_time == other.lost_time && toll == other.toll &&
+           forbidden == other.forbidden;
+  }
+};
+
+/// The robot went along a link, or tried to.
+struct Traversal {
+  PlaceId from = kNoPlace;
+  PlaceId to = kNoPlace;
+  std::chrono::nanoseconds begin{0};  ///< when it left; as `end`: how long it took is not known
+  std::chrono::nanoseconds end{0};    ///< when it arrived, or gave up
+  bool succeeded = true;
+  std::string source;  ///< who says so: UTF-8, at most 255 bytes
+
+  bool operator==(const Traversal& other) const {
+    return from == other.from && to == other.to && begin == other.begin && end == other.end &&
+           succeeded == other.succeeded && source == other.source;
   }
 };
 
@@ -84,6 +111,8 @@ class PLACE_MEMORY_PUBLIC PlaceMap {
   const std::vector<Place>& places() const { return places_; }
   /// By rising first id, then by rising second id.
   std::vector<PlaceLink> links() const;
+  /// Calls with each of them, in this order.
+  void forEachLink(const std::function<void(const PlaceLink&)>& call) const;
   /// The places that this one is linked to, by rising id.
   std::vector<PlaceId> neighbours(PlaceId id) const;
   /// Highest id of the places in the map, kNoPlace where there is none.

@@ -9,14 +9,17 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "place_memory/core/adaptation_options.h"
+#include "place_memory/core/link_learning.h"
 #include "place_memory/core/map_change.h"
 #include "place_memory/core/map_history.h"
 #include "place_memory/core/merge_report.h"
 #include "place_memory/core/recognition.h"
 #include "place_memory/core/recognizer_options.h"
+#include "place_memory/core/routes.h"
 #include "place_memory/core/scan.h"
 #include "place_memory/core/sonar_model.h"
 #include "place_memory/core/store_opening.h"
@@ -32,15 +35,17 @@ class PLACE_MEMORY_PUBLIC PlaceMemoryError : public std::runtime_error {
     kLabelTaken,
     kInvalidLabel,
     kUnknownPlace,
-    kInvalidScan,     ///< a pose that is not finite
-    kWrongCells,      ///< cells of another size than the map's
-    kAlreadyLearned,  ///< this very scan is a place already
-    kDoubtfulScan,    ///< something speaks against the scan (Scan::doubt)
-    kStoreFailed,     ///< the store could not be read or written; the memory is as it was
-    kNoEcho,          ///< no echo lies in the scan's grid: nothing could be recognized by it
-    kOtherStore,      ///< another store's file could not be read; the memory is as it was
-    kNothingToUndo,   ///< the history is shorter than that
-    kCannotUndo,      ///< the map has changed since, or what was there was too much to be kept
+    kInvalidScan,       ///< a pose that is not finite
+    kWrongCells,        ///< cells of another size than the map's
+    kAlreadyLearned,    ///< this very scan is a place already
+    kDoubtfulScan,      ///< something speaks against the scan (Scan::doubt)
+    kStoreFailed,       ///< the store could not be read or written; the memory is as it was
+    kNoEcho,            ///< no echo lies in the scan's grid: nothing could be recognized by it
+    kUnknownLink,       ///< the two places are not linked
+    kInvalidTraversal,  ///< ends before it begins, a toll below 0, a source that is no text
+    kOtherStore,        ///< another store's file could not be read; the memory is as it was
+    kNothingToUndo,     ///< the history is shorter than that
+    kCannotUndo,        ///< the map has changed since, or what was there was too much to be kept
   };
 
   PlaceMemoryError(Reason reason, const std::string& what)
@@ -58,6 +63,7 @@ struct PlaceMemoryOptions {
   double cell_size = kDefaultCellSize;  ///< of all grids [m], > 0
   RecognizerOptions recognizer;
   AdaptationOptions adaptation;
+  LinkLearningOptions links;
   SonarModelOptions sonar;  ///< with which scans that places follow are laid into their grids
   /// Tells the time that changes are stamped with; null: the system's clock.
   std::function<std::chrono::nanoseconds()> clock;
@@ -173,8 +179,23 @@ class PLACE_MEMORY_PUBLIC PlaceMemory {
   /// The map as it is now.
   MapSnapshot map() const;
   std::optional<Place> place(PlaceId id) const;
+  std::optional<Place> place(const std::string& label) const;
   /// The grid as it was learned, and adapted since; waits for the disk. Throws PlaceMemoryError.
   EvidenceGrid grid(PlaceId id) const;
+
+  /// A route through the map as it is now. Meanwhile the map is not changed. Places that are not
+  /// there, and ends that no way joins, are answers too.
+  RoutePlan plan(const RouteQuery& query);
+  /// The robot went along a link, or tried to: the link learns from it. recognize() and learn()
+  /// report what they know of themselves. Throws PlaceMemoryError.
+  void reportTraversal(const Traversal& traversal);
+  /// `toll` [s] counts for kToll alone. Throws PlaceMemoryError.
+  void setLink(PlaceId from, PlaceId to, LinkOrder order, double toll, bool both_ways);
+  /// Chance of getting through each way, first to second and back, 0 where that is forbidden.
+  /// Throws PlaceMemoryError where the two are not linked.
+  std::pair<double, double> linkOdds(PlaceId first, PlaceId second) const;
+  /// How links were travelled, the oldest first; waits for the disk. Throws PlaceMemoryError.
+  std::vector<Traversal> traversals() const;
 
   Whereabouts whereabouts() const;
   /// The robot was carried, or time ran backwards: where it is now is not known.

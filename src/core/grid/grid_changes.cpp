@@ -49,15 +49,6 @@ class Marks {
   std::array<bool, kGridCells> marks_{};
 };
 
-bool isOccupiedNear(const EvidenceGrid& grid, int row, int column, int slack) {
-  for (int r = row - slack; r <= row + slack; ++r) {
-    for (int c = column - slack; c <= column + slack; ++c) {
-      if (isInside(r, c) && grid.at(r, c) > 0) return true;
-    }
-  }
-  return false;
-}
-
 GridChange changeOf(const std::vector<At>& cells, const GridGeometry& geometry, bool appeared) {
   GridChange change;
   change.appeared = appeared;
@@ -81,9 +72,8 @@ void gather(const EvidenceGrid& occupied, const EvidenceGrid& empty,
   Marks marks;
   for (int row = 0; row < kGridSize; ++row) {
     for (int column = 0; column < kGridSize; ++column) {
-      marks.at(row, column) = occupied.at(row, column) >= options.sure &&
-                              empty.at(row, column) <= -options.sure &&
-                              !isOccupiedNear(empty, row, column, options.slack);
+      marks.at(row, column) =
+          occupied.at(row, column) >= options.sure && empty.at(row, column) <= -options.sure;
     }
   }
   for (int row = 0; row < kGridSize; ++row) {

@@ -2,8 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace place_memory::core {
+namespace {
+
+std::int8_t rounded(double evidence) {
+  return static_cast<std::int8_t>(evidence + (evidence < 0.0 ? -0.5 : 0.5));
+}
+
+}  // namespace
 
 GridSampling::GridSampling(const EvidenceGrid& grid, const Pose2d& pose, double resolution)
     : pose_(pose),
@@ -29,12 +37,15 @@ GridSampling::TileSpan GridSampling::span() const {
           tile_of(pose_.y + reach)};
 }
 
-double GridSampling::at(double x, double y) const {
+GridSampling::Spot GridSampling::spotOf(double x, double y) const {
   const double dx = x - pose_.x;
   const double dy = y - pose_.y;
-  // In cells, from the centre of the padding's first one.
-  const double u = (cosine_ * dx + sine_ * dy) / cell_size_ + 0.5 * (kPadded - 1);
-  const double v = (cosine_ * dy - sine_ * dx) / cell_size_ + 0.5 * (kPadded - 1);
+  return {(cosine_ * dx + sine_ * dy) / cell_size_ + 0.5 * (kPadded - 1),
+          (cosine_ * dy - sine_ * dx) / cell_size_ + 0.5 * (kPadded - 1)};
+}
+
+double GridSampling::at(const Spot& spot) const {
+  const auto [u, v] = spot;
   if (!(u > 0.0 && v > 0.0 && u < kPadded - 1 && v < kPadded - 1)) return 0.0;
   const int column = static_cast<int>(u);
   const int row = static_cast<int>(v);
@@ -47,13 +58,12 @@ double GridSampling::at(double x, double y) const {
 }
 
 double GridSampling::inCell(double x, double y) const {
-  if (samples_ == 1) return at(x + 0.5 * resolution_, y + 0.5 * resolution_);
   const double step = resolution_ / samples_;
   double sum = 0.0;
   double most = 0.0;
   for (int row = 0; row < samples_; ++row) {
     for (int column = 0; column < samples_; ++column) {
-      const double evidence = at(x + (column + 0.5) * step, y + (row + 0.5) * step);
+      const double evidence = at(spotOf(x + (column + 0.5) * step, y + (row + 0.5) * step));
       sum += evidence;
       most = std::max(most, evidence);
     }
@@ -61,20 +71,41 @@ double GridSampling::inCell(double x, double y) const {
   return most > 0.0 ? most : sum / (samples_ * samples_);
 }
 
+// The row's cells lie on a straight line through the grid, of which only a part may be in it.
+void GridSampling::sampleRow(double x, double y, std::int8_t* evidence) const {
+  const Spot first = spotOf(x + 0.5 * resolution_, y + 0.5 * resolution_);
+  const double du = cosine_ * resolution_ / cell_size_;
+  const double dv = -sine_ * resolution_ / cell_size_;
+  double begin = 0.0;
+  double end = kTileSize - 1;
+  for (const auto& [start, step] : {std::pair(first.u, du), std::pair(first.v, dv)}) {
+    if (std::abs(step) < 1e-9) continue;  // as good as parallel to that side
+    const double one = -start / step;
+    const double other = (kPadded - 1 - start) / step;
+    begin = std::max(begin, std::min(one, other) - 1.0);
+    end = std::min(end, std::max(one, other) + 1.0);
+  }
+  std::fill(evidence, evidence + kTileSize, std::int8_t{0});
+  for (int column = static_cast<int>(std::min<double>(begin, kTileSize)); column <= end; ++column) {
+    evidence[column] = rounded(at({first.u + column * du, first.v + column * dv}));
+  }
+}
+
 bool GridSampling::sample(std::int64_t tile_column, std::int64_t tile_row,
                           TileEvidence& evidence) const {
-  bool says_something = false;
-  std::size_t cell = 0;
+  const double x = static_cast<double>(tile_column * kTileSize) * resolution_;
   for (int row = 0; row < kTileSize; ++row) {
     const double y = static_cast<double>(tile_row * kTileSize + row) * resolution_;
+    std::int8_t* cells = &evidence[static_cast<std::size_t>(row * kTileSize)];
+    if (samples_ == 1) {
+      sampleRow(x, y, cells);
+      continue;
+    }
     for (int column = 0; column < kTileSize; ++column) {
-      const double x = static_cast<double>(tile_column * kTileSize + column) * resolution_;
-      const auto value = static_cast<std::int8_t>(std::lround(inCell(x, y)));
-      evidence[cell++] = value;
-      says_something = says_something || value != 0;
+      cells[column] = rounded(inCell(x + column * resolution_, y));
     }
   }
-  return says_something;
+  return std::any_of(evidence.begin(), evidence.end(), [](std::int8_t cell) { return cell != 0; });
 }
 
 }  // namespace place_memory::core

@@ -38,8 +38,14 @@ class GridSampling {
  private:
   static constexpr int kPadded = kGridSize + 2;
 
-  double at(double x, double y) const;
+  /// In cells of the padded grid, from the centre of its first one.
+  struct Spot {
+    double u, v;
+  };
+  Spot spotOf(double x, double y) const;
+  double at(const Spot& spot) const;
   double inCell(double x, double y) const;
+  void sampleRow(double x, double y, std::int8_t* evidence) const;
 
   std::array<std::int8_t, kPadded * kPadded> cells_{};  ///< with unsensed ones around them
   Pose2d pose_;

@@ -80,6 +80,8 @@ class ChangeCheck {
                            std::all_of(link.covariance.begin(), link.covariance.end(),
                                        [](double number) { return std::isfinite(number); });
     if (!is_finite) refuse("the pose along the " + inWords(ends) + " is not finite");
+    checkDirection(ends, link.forward);
+    checkDirection(ends, link.backward);
     links_[ends] = true;
   }
 
@@ -89,7 +91,11 @@ class ChangeCheck {
     links_[ends] = false;
   }
 
-  void operator()(const LinkLearned& edit) { requireLink(std::minmax(edit.from, edit.to)); }
+  void operator()(const LinkLearned& edit) {
+    const Ends ends = std::minmax(edit.from, edit.to);
+    requireLink(ends);
+    checkDirection(ends, edit.direction);
+  }
 
   void operator()(const MapCleared& /*edit*/) {
     is_cleared_ = true;
@@ -131,6 +137,14 @@ class ChangeCheck {
   void checkLabel(PlaceId of, const std::string& wanted) const {
     if (!isValidLabel(wanted)) refuse("the label of " + inWords(of) + " is no label");
     if (id(wanted) != kNoPlace) refuse("label \"" + wanted + "\" is in the map already");
+  }
+
+  static void checkDirection(const Ends& of, const LinkDirection& direction) {
+    for (const double number : {direction.through, direction.blocked, direction.time,
+                                direction.time_sigma, direction.lost_time, direction.toll}) {
+      if (number >= 0.0 && std::isfinite(number)) continue;
+      refuse("what was learned of the " + inWords(of) + " is no number of 0 or more");
+    }
   }
 
   static void checkPose(PlaceId of, const Pose2d& pose) {

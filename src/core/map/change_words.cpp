@@ -47,6 +47,9 @@ std::string editsInWords(const std::vector<MapEdit>& edits, const PlaceMap& befo
           before.find(link->link.first) != nullptr && before.find(link->link.second) != nullptr;
       if (is_new)
         count("linked", labelOf(link->link.first) + "\" to \"" + labelOf(link->link.second));
+    } else if (const auto* set = std::get_if<LinkLearned>(&edit)) {
+      if (!set->traversal)
+        count("set the link", labelOf(set->from) + "\" to \"" + labelOf(set->to));
     } else if (const auto* cut = std::get_if<LinkRemoved>(&edit)) {
       count("unlinked", labelOf(cut->first) + "\" from \"" + labelOf(cut->second));
     } else if (std::holds_alternative<MapCleared>(edit)) {
@@ -54,7 +57,7 @@ std::string editsInWords(const std::vector<MapEdit>& edits, const PlaceMap& befo
     }
   }
   for (const auto& [kind, number_and_name] : counts) {
-    const bool of_links = kind == "linked" || kind == "unlinked";
+    const bool of_links = kind == "linked" || kind == "unlinked" || kind == "set the link";
     append(words, oneOrMany(kind, number_and_name.first, number_and_name.second,
                             of_links ? "pairs of places" : "places"));
   }

@@ -10,7 +10,7 @@
 namespace place_memory::core {
 
 /// What the edits are about to do to the map, in words, as: renamed "a" to "b". Empty where all
-/// they do is to count traversals of links.
+/// they do is to learn from traversals of links.
 std::string editsInWords(const std::vector<MapEdit>& edits, const PlaceMap& before);
 
 }  // namespace place_memory::core

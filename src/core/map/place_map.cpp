@@ -123,6 +123,10 @@ std::vector<PlaceLink> PlaceMap::links() const {
   return links;
 }
 
+void PlaceMap::forEachLink(const std::function<void(const PlaceLink&)>& call) const {
+  for (const auto& [ends, link] : links_) call(link);
+}
+
 std::vector<PlaceId> PlaceMap::neighbours(PlaceId id) const {
   const auto found = neighbours_.find(id);
   return found == neighbours_.end() ? std::vector<PlaceId>() : found->second;

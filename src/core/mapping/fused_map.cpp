@@ -181,8 +181,12 @@ FusedMap::RoundedPose FusedMap::rounded(const Pose2d& pose) const {
 void FusedMap::follow(PlaceId id, Entry& entry) {
   if (!entry.chosen) {
     if (entry.laid) lay(*entry.laid, -1);
+    if (grid_of_) {
+      entry.grid.reset();  // there may be any number of them
+    } else if (!entry.grid && entry.laid) {
+      entry.grid = entry.laid->grid;
+    }
     entry.laid.reset();
-    if (grid_of_) entry.grid.reset();  // there may be any number of them
     return;
   }
   const RoundedPose pose = rounded(entry.map_from_place);

@@ -48,7 +48,7 @@ PlaceLink linkTo(PlaceId place, const Pose2d& odom_from_place, const Stand& from
   PlaceLink link;
   link.first = from.place;
   link.second = place;
-  link.forward = {1, 0, arrived};
+  link.forward = {1, 0, arrived, 1.0};
   if (!located) {
     for (const std::size_t at : {0, 4, 8}) link.covariance[at] = kUnknownVariance;
     return link;

@@ -39,8 +39,10 @@ void tell(const std::vector<Listener>& listeners, const News& news) {
 
 }  // namespace
 
-MemoryState::MemoryState(const PlaceStore& store, bool located)
-    : map(store.map()), whereabouts(located, map.size() == 0, store.nextSession()) {
+MemoryState::MemoryState(const PlaceStore& store, bool located, const LinkLearningOptions& links)
+    : map(store.map()),
+      whereabouts(located, map.size() == 0, store.nextSession()),
+      routes(map, links) {
   store.forEachPlanes([this](PlaceId id, const CellPlanes& planes) { index.put(id, planes); });
 }
 
@@ -141,8 +143,10 @@ void MapWriter::refuse(const StoreError& error) {
 }
 
 void MapWriter::apply(const MapChange& change, const std::function<void()>& settle) {
+  const std::lock_guard<std::mutex> routes_lock(state_.routes_mutex);
   const std::lock_guard<std::mutex> lock(state_.mutex);
   state_.map.apply(change);
+  state_.routes.follow(change);
   IndexEditor editor(state_.index);
   for (const MapEdit& edit : change.edits) std::visit(editor, edit);
   state_.whereabouts.follow(change, state_.map.size() == 0);

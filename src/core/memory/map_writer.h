@@ -9,6 +9,7 @@
 
 #include "core/index/place_index.h"
 #include "core/memory/whereabouts.h"
+#include "core/route/route_planner.h"
 #include "core/store/place_store.h"
 #include "place_memory/core/place_map.h"
 #include "place_memory/core/place_memory.h"
@@ -17,18 +18,21 @@ namespace place_memory::core {
 
 /// What everybody reads, each time for a moment.
 struct MemoryState {
-  mutable std::mutex mutex;  ///< guards all the others
+  mutable std::mutex mutex;  ///< guards map, index and whereabouts
   PlaceMap map;
   PlaceIndex index;
   WhereaboutsOwner whereabouts;
+  /// Guards routes; the map does not change while it is held. To be locked before `mutex`.
+  std::mutex routes_mutex;
+  RoutePlanner routes;
 
   /// As the store has them; `progress` is told how far reading has come.
-  MemoryState(const PlaceStore& store, bool located);
+  MemoryState(const PlaceStore& store, bool located, const LinkLearningOptions& links);
 };
 
 /// Makes changes of the map: in store, map, index and whereabouts together, or in none of them.
 ///
-/// All but listen(), watch() and health() is for one thread, which alone changes the map: it may
+/// All but listen(), watch(), health() and now() is for one thread, which alone changes the map: it may
 /// read MemoryState::map without the mutex.
 class MapWriter {
  public:
@@ -61,6 +65,7 @@ class MapWriter {
   void listen(PlaceMemory::Listener listener);
   void watch(PlaceMemory::HealthListener listener);
   StoreHealth health() const;
+  std::chrono::nanoseconds now() const { return clock_(); }
 
  private:
   MapChange changeOf(std::vector<MapEdit> edits) const;

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/map/link_odds.h"
 #include "core/map/place_identity.h"
 #include "core/map/place_label.h"
 #include "core/memory/link_pose.h"
@@ -83,8 +84,8 @@ PlaceMemory::Learned PlaceMemory::Impl::learn(const Scan& scan, const std::strin
 
 PlaceMemory::Learned PlaceMemory::Impl::learnNow(const Scan& scan, const std::string& label,
                                                  std::uint64_t question) {
-  Learned learned;
-  Place& place = learned.place;
+  Learned result;
+  Place& place = result.place;
   place.label = newLabel(state_.map, label);
   const Place* same = state_.map.find(learned_scans_.find(scan));
   if (same != nullptr) {
@@ -108,12 +109,18 @@ PlaceMemory::Learned PlaceMemory::Impl::learnNow(const Scan& scan, const std::st
                  std::make_shared<const std::vector<SonarReading>>(scan.readings)}};
   const auto& previous = footing.previous;
   if (previous && state_.map.find(previous->place) != nullptr) {
-    edits.emplace_back(
-        LinkAdded{linkTo(place.id, scan.odom_from_scan, *previous, located_, scan.end)});
+    const Traversal came =
+        read([&](const MemoryState&) { return wayTo(scan, previous->place, place.id); });
+    PlaceLink link = linkTo(place.id, scan.odom_from_scan, *previous, located_, scan.end);
+    link.forward = {};
+    link.forward = learned(link.forward, came, expectedTime(link, link.forward, links_),
+                           links_.half_life);
+    edits.emplace_back(LinkAdded{link, came});
   }
   std::optional<SessionJoin> joined;
   writer_.commit(std::move(edits), [&] {
     joined = state_.whereabouts.learned(question, footing, place, scan.odom_from_scan);
+    stood_ = {place.id, scan.end};
   });
   learned_scans_.add(scan, place.id);
   if (joined) {
@@ -122,9 +129,9 @@ PlaceMemory::Learned PlaceMemory::Impl::learnNow(const Scan& scan, const std::st
     writer_.commit(std::move(moves));
     place = *state_.map.find(place.id);
   }
-  learned.apart = footing.apart && !joined;
-  if (learned.apart) learned.message = kApart;
-  return learned;
+  result.apart = footing.apart && !joined;
+  if (result.apart) result.message = kApart;
+  return result;
 }
 
 }  // namespace place_memory::core

@@ -40,7 +40,8 @@ PlaceMemory::Impl::Impl(const PlaceMemoryOptions& options, PlaceStore store)
       located_(options.recognizer.located),
       sonar_(options.sonar),
       tuning_(tuningOf(options.recognizer, options.adaptation)),
-      state_(store, located_),
+      state_(store, located_, options.links),
+      links_(options.links),
       writer_(std::move(store), state_, options.clock ? options.clock : systemTime) {}
 
 PlaceMemory::Impl::Tuning PlaceMemory::Impl::tuningOf(const RecognizerOptions& recognizer,
@@ -147,7 +148,28 @@ std::optional<Place> PlaceMemory::place(PlaceId id) const {
   });
 }
 
+std::optional<Place> PlaceMemory::place(const std::string& label) const {
+  return impl_->read([&label](const MemoryState& state) {
+    const Place* place = state.map.find(label);
+    return place == nullptr ? std::nullopt : std::optional<Place>(*place);
+  });
+}
+
 EvidenceGrid PlaceMemory::grid(PlaceId id) const { return impl_->grid(id); }
+
+RoutePlan PlaceMemory::plan(const RouteQuery& query) { return impl_->plan(query); }
+
+void PlaceMemory::reportTraversal(const Traversal& traversal) { impl_->reportTraversal(traversal); }
+
+void PlaceMemory::setLink(PlaceId from, PlaceId to, LinkOrder order, double toll, bool both_ways) {
+  impl_->setLink(from, to, order, toll, both_ways);
+}
+
+std::pair<double, double> PlaceMemory::linkOdds(PlaceId first, PlaceId second) const {
+  return impl_->linkOdds(first, second);
+}
+
+std::vector<Traversal> PlaceMemory::traversals() const { return impl_->traversals(); }
 
 Whereabouts PlaceMemory::whereabouts() const {
   return impl_->read([](const MemoryState& state) { return state.whereabouts.now(); });

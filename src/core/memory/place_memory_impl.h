@@ -21,8 +21,8 @@
 namespace place_memory::core {
 
 /// What PlaceMemory does, by the names that it has there. Learning is in place_learning.cpp,
-/// recognizing in place_recognition.cpp, what comes from or goes to other stores, and undoing, in
-/// map_travel.cpp, the rest in place_memory.cpp.
+/// recognizing in place_recognition.cpp, routes in place_routes.cpp, what comes from or goes to
+/// other stores, and undoing, in map_travel.cpp, the rest in place_memory.cpp.
 class PlaceMemory::Impl {
  public:
   Impl(const PlaceMemoryOptions& options, PlaceStore store);
@@ -41,6 +41,11 @@ class PlaceMemory::Impl {
   std::vector<PastChange> history(std::size_t most);
   std::vector<PastChange> undo(std::size_t count);
   void forgetWhereabouts();
+  RoutePlan plan(const RouteQuery& query);
+  void reportTraversal(const Traversal& traversal);
+  void setLink(PlaceId from, PlaceId to, LinkOrder order, double toll, bool both_ways);
+  std::pair<double, double> linkOdds(PlaceId first, PlaceId second);
+  std::vector<Traversal> traversals();
 
   MapWriter& writer() { return writer_; }
 
@@ -64,6 +69,7 @@ class PlaceMemory::Impl {
     PlaceId place = kNoPlace;  ///< RECOGNIZED
     Settled settled;
     std::chrono::nanoseconds scan_end{0};
+    std::optional<Traversal> came;  ///< from the place where it was before to this one
     std::optional<EvidenceGrid> sensed;  ///< in the place's frame; none: the place does not adapt
     double retention = 0.0;              ///< of the old evidence in that place
   };
@@ -88,7 +94,15 @@ class PlaceMemory::Impl {
   std::vector<MergeSighting> sightingsOf(const PlaceMap& theirs, const PlaceStore& store) const;
   std::size_t join(const SessionJoin& join, std::vector<MapEdit>& edits) const;
   void traverse(const Following& following, std::vector<MapEdit>& edits) const;
+  /// Where the two places are linked.
+  std::optional<LinkLearned> learnedBy(const Traversal& traversal) const;
   bool fold(const Following& following, std::vector<MapEdit>& edits);
+
+  /// The way from where the robot stood last; for the holder of state_.mutex.
+  Traversal wayTo(const Scan& scan, PlaceId from, PlaceId to) const;
+  /// Of a query, for the holder of routes_mutex.
+  const Place* placeAt(const RouteEnd& end, SessionId session) const;
+  std::vector<RouteStart> startsOf(const RouteQuery& query) const;
 
   const double cell_size_;
   const bool located_;
@@ -97,7 +111,15 @@ class PlaceMemory::Impl {
   mutable std::mutex tuning_mutex_;
   Tuning tuning_;
 
+  /// Where the robot stood last, and when it had done there.
+  struct Stood {
+    PlaceId place = kNoPlace;
+    std::chrono::nanoseconds until{0};
+  };
+
   MemoryState state_;
+  Stood stood_;  ///< guarded by state_.mutex
+  const LinkLearningOptions links_;
 
   // For works of the queue, which alone change state_.map.
   MapWriter writer_;
@@ -117,6 +139,8 @@ std::string newLabel(const PlaceMap& map, const std::string& wanted);
 /// Where these places lie; nothing where one of them is gone.
 std::optional<std::vector<PlaceFrame>> framesOf(const std::vector<PlaceId>& places,
                                                 const PlaceMap& map);
+/// In words, also where it is no place of the map.
+std::string called(const PlaceMap& map, PlaceId id);
 
 }  // namespace place_memory::core
 

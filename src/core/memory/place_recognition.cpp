@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <map>
+#include <utility>
 
 #include "core/grid/grid_fusion.h"
 #include "core/memory/link_pose.h"
@@ -88,9 +88,7 @@ PlaceMemory::Answer PlaceMemory::Impl::recognize(const Scan& scan,
 }
 
 bool PlaceMemory::Impl::changesMap(const Following& following) {
-  const PlaceId from = following.settled.came_from;
-  return following.sensed || following.settled.join ||
-         (from != kNoPlace && from != following.place);
+  return following.sensed || following.settled.join || following.came;
 }
 
 std::optional<PlaceMemory::Impl::Following> PlaceMemory::Impl::settle(
@@ -118,6 +116,11 @@ std::optional<PlaceMemory::Impl::Following> PlaceMemory::Impl::settle(
       question, {place, match.place_from_scan, scan.odom_from_scan,
                  turned(recognition.covariance, -place.map_from_place.yaw)});
   answer.superseded = following.settled.superseded;
+  if (!answer.superseded) {
+    const PlaceId from = following.settled.came_from;
+    if (from != kNoPlace && from != place.id) following.came = wayTo(scan, from, place.id);
+    stood_ = {place.id, scan.end};
+  }
   answer.whereabouts = state_.whereabouts.now();
   const auto& join = following.settled.join;
   if (join && join->from == place.session) moveWith(*join, recognition);
@@ -154,14 +157,8 @@ std::size_t PlaceMemory::Impl::join(const SessionJoin& join, std::vector<MapEdit
 }
 
 void PlaceMemory::Impl::traverse(const Following& following, std::vector<MapEdit>& edits) const {
-  const PlaceId from = following.settled.came_from;
-  if (from == kNoPlace || from == following.place) return;
-  const PlaceLink* link = state_.map.findLink(from, following.place);
-  if (link == nullptr) return;
-  LinkDirection direction = from == link->first ? link->forward : link->backward;
-  ++direction.succeeded;
-  direction.last = std::max(direction.last, following.scan_end);
-  edits.emplace_back(LinkLearned{from, following.place, direction});
+  if (!following.came) return;
+  if (auto learned = learnedBy(*following.came)) edits.emplace_back(std::move(*learned));
 }
 
 bool PlaceMemory::Impl::fold(const Following& following, std::vector<MapEdit>& edits) {

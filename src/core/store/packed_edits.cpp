@@ -85,6 +85,9 @@ class Packer {
   void add(const Pose2d& pose) { bytes_.add(pose.x).add(pose.y).add(pose.yaw); }
   void add(const LinkDirection& direction) {
     bytes_.add(direction.succeeded).add(direction.failed).add(std::int64_t{direction.last.count()});
+    bytes_.add(direction.through).add(direction.blocked).add(direction.time);
+    bytes_.add(direction.time_sigma).add(direction.lost_time).add(direction.toll);
+    bytes_.add(static_cast<std::uint8_t>(direction.forbidden));
   }
   void add(const EvidenceGrid& grid) {
     for (const std::int8_t cell : grid.cells()) bytes_.add(cell);
@@ -149,6 +152,11 @@ class Unpacker {
     direction.succeeded = bytes_.take<std::uint32_t>();
     direction.failed = bytes_.take<std::uint32_t>();
     direction.last = std::chrono::nanoseconds(bytes_.take<std::int64_t>());
+    for (double* number : {&direction.through, &direction.blocked, &direction.time,
+                           &direction.time_sigma, &direction.lost_time, &direction.toll}) {
+      *number = bytes_.take<double>();
+    }
+    direction.forbidden = bytes_.take<std::uint8_t>() != 0;
     return direction;
   }
   std::shared_ptr<const EvidenceGrid> takeGrid() {

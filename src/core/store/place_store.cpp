@@ -144,6 +144,7 @@ class PlaceStore::Impl {
       reader_->forEachPlanes(ids_, nullptr, [](PlaceId, const CellPlanes&) {});
       reader_->forEachGrid(ids_, [](PlaceId, const EvidenceGrid&) {});
       reader_->checkReadings();
+      reader_->traversals();
       readScans(database, head ? &head_ : nullptr, damages_, found);
       checkHistory(database, head ? &head_ : nullptr, damages_, found);
     }
@@ -224,7 +225,6 @@ class PlaceStore::Impl {
 
 PlaceStore::PlaceStore(const std::string& path, double cell_size, const StoreOpening& opening)
     : impl_(std::make_unique<Impl>(path, cell_size, opening)) {}
-
 PlaceStore::~PlaceStore() = default;
 PlaceStore::PlaceStore(PlaceStore&&) noexcept = default;
 PlaceStore& PlaceStore::operator=(PlaceStore&&) noexcept = default;
@@ -268,6 +268,7 @@ void PlaceStore::forEachPlanes(const std::function<void(PlaceId, const CellPlane
 }
 
 KeptMap PlaceStore::scans() const { return impl_->scans(); }
+std::vector<Traversal> PlaceStore::traversals() const { return impl_->reader().traversals(); }
 
 void PlaceStore::commit(const MapChange& change) { impl_->commit(change, nullptr, nullptr); }
 void PlaceStore::commit(const MapChange& change, const KeptMap& scans) {

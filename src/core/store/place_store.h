@@ -20,7 +20,7 @@
 
 namespace place_memory::core {
 
-/// The map, its grids and the readings they were laid from in an SQLite file (format 4): a change
+/// The map, its grids and the readings they were laid from in an SQLite file (format 5): a change
 /// of the map is one transaction, ids are never used again, and grids are read on demand.
 ///
 /// The journal is SQLite's default, a rollback journal, and not a write-ahead log: the store is
@@ -94,6 +94,10 @@ class PlaceStore {
   /// The scans that were taken while the robot drove, and what ties them. Those that are damaged
   /// are left out, with their ties; those that were a place that is gone are no place.
   KeptMap scans() const;
+
+  /// How links were travelled, the oldest first, also those of places that are gone: the newest
+  /// million. Those that are damaged are left out. Throws StoreError.
+  std::vector<Traversal> traversals() const;
 
  private:
   class Impl;

@@ -23,10 +23,14 @@ enum class StoreTable : std::size_t {
   kNode,
   kHistory,
   kTie,
-  kWheels
+  kWheels,
+  kTraversal
 };
-constexpr std::size_t kStoreTables = 9;
-constexpr std::size_t kStoreTablesOfFormat3 = 7;
+constexpr std::size_t kStoreTables = 10;
+/// How many are counted by the head of a store of format 3 or later.
+constexpr std::size_t storeTablesOf(std::uint32_t format) {
+  return format == 3 ? 7 : format == 4 ? 9 : kStoreTables;
+}
 
 /// How many rows a table has, and the sum of their checksums mod 2^64: by these it is noticed that
 /// a row is gone, or is an older one.

@@ -23,11 +23,11 @@ void fold(const PlaceIdentity& identity, PlaceIdentity& into) {
 }
 
 // What the tables hold stays as it is, damaged rows too: they are named when they are read.
-void copyFormat3(const SqliteDatabase& old, SqliteDatabase& database) {
+void copyTables(const SqliteDatabase& old, std::uint32_t format, SqliteDatabase& database) {
   copyDatabase(old, database);
   SqliteTransaction transaction(database);
-  const std::optional<StoreHead> head = readHead(database, kStoreTablesOfFormat3);
-  bringSchemaToFormat4(database);
+  const std::optional<StoreHead> head = readHead(database, storeTablesOf(format));
+  bringSchemaToFormat5(database, format);
   if (head) writeHead(database, *head);
   transaction.commit();
 }
@@ -65,7 +65,7 @@ void convert(SqliteDatabase& old, SqliteDatabase& database, double cell_size,
 void bringOver(const StoreFile& old, SqliteDatabase& database, double cell_size,
                const StoreProgress& progress) {
   if (old.format >= kFirstFormatWithoutIndexes) {
-    copyFormat3(*old.database, database);
+    copyTables(*old.database, old.format, database);
   } else {
     convert(*old.database, database, cell_size, progress);
   }
@@ -101,7 +101,7 @@ StoreFile migrateStore(StoreFile old, const std::string& path, double cell_size,
                        const StoreOpening& opening, std::unique_ptr<SqliteDatabase>& held) {
   if (old.format < kFirstFormatWithoutIndexes) {
     checkOldStore(*old.database, cell_size);
-  } else if (const auto head = readHead(*old.database, kStoreTablesOfFormat3)) {
+  } else if (const auto head = readHead(*old.database, storeTablesOf(old.format))) {
     requireCellSize(path, head->cell_size, cell_size);
   }
   StoreFile result;

@@ -20,6 +20,7 @@ constexpr TableScan kLinks{"link", "id", kLinkColumns};
 constexpr TableScan kGrids{"grid", "place_id", kGridColumns};
 constexpr TableScan kPlanes{"planes", "id", "id, slots"};
 constexpr TableScan kReadings{"readings", "place_id", kReadingsColumns};
+constexpr TableScan kTraversals{"traversal", "id", kTraversalColumns};
 
 std::string inWords(PlaceId id) { return "place " + std::to_string(id); }
 
@@ -105,7 +106,7 @@ void StoreReader::readLinks(Map& map) {
   scanTable(
       database_, kLinks,
       [&](const SqliteStatement& row) {
-        found.all.add(checksumAt(row, 13));
+        found.all.add(checksumAt(row, kLinkChecksumColumn));
         const std::optional<LinkRow> link = readLink(row);
         if (!link) return refuse(row.integer(0));
         const PlaceLink& ends = link->link;
@@ -250,6 +251,30 @@ void StoreReader::checkReadings() {
         refuse(id);
       });
   compare(StoreTable::kReadings, found, "scans' readings");
+}
+
+std::vector<Traversal> StoreReader::traversals() {
+  std::vector<Traversal> traversals;
+  TableFindings found;
+  scanTable(
+      database_, kTraversals,
+      [&](const SqliteStatement& row) {
+        found.all.add(checksumAt(row, 7));
+        if (std::optional<Traversal> traversal = readTraversal(row)) {
+          traversals.push_back(std::move(*traversal));
+        } else {
+          ++found.bad;
+        }
+      },
+      [&](std::int64_t /*unreadable*/) {
+        found.all.add(0);
+        ++found.bad;
+      });
+  if (found.bad > 0) {
+    damages_.add(std::to_string(found.bad) + " traversals of links are damaged and were left out");
+  }
+  compare(StoreTable::kTraversal, found, "traversals of links");
+  return traversals;
 }
 
 }  // namespace place_memory::core

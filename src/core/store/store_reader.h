@@ -54,6 +54,8 @@ class StoreReader {
   void forEachGrid(const std::vector<PlaceId>& places,
                    const std::function<void(PlaceId, const EvidenceGrid&)>& call);
   void checkReadings();
+  /// The oldest first.
+  std::vector<Traversal> traversals();
 
   /// Of the tables that were read to their end.
   const StoreTotals& found() const { return found_; }

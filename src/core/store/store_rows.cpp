@@ -30,17 +30,63 @@ RowChecksum& add(RowChecksum& checksum, const LinkDirection& direction) {
       .add(std::int64_t{direction.last.count()});
 }
 
-std::uint64_t checksumOf(const LinkRow& row) {
+std::vector<unsigned char> packHabit(const LinkDirection& direction) {
+  BytePacker bytes;
+  bytes.add(direction.through).add(direction.blocked).add(direction.time);
+  bytes.add(direction.time_sigma).add(direction.lost_time).add(direction.toll);
+  bytes.add(static_cast<std::uint8_t>(direction.forbidden));
+  return bytes.bytes();
+}
+
+bool unpackHabit(const SqliteStatement& row, int column, LinkDirection& direction) {
+  if (row.size(column) == 0) {  // of format 4, which knew the bare counts
+    direction.through = direction.succeeded;
+    direction.blocked = direction.failed;
+    return true;
+  }
+  ByteUnpacker bytes(row.blob(column), row.size(column));
+  bool sound = true;
+  for (double* number : {&direction.through, &direction.blocked, &direction.time,
+                         &direction.time_sigma, &direction.lost_time, &direction.toll}) {
+    *number = bytes.take<double>();
+    sound = sound && *number >= 0.0 && std::isfinite(*number);
+  }
+  direction.forbidden = bytes.take<std::uint8_t>() != 0;
+  return sound && bytes.good() && bytes.left() == 0;
+}
+
+// With habits from the columns where they stand, so that rows of format 4 keep their checksums.
+std::uint64_t checksumOf(const LinkRow& row, const std::vector<unsigned char>& forward,
+                         const std::vector<unsigned char>& backward) {
   RowChecksum checksum;
   checksum.add(row.id).add(row.link.first).add(row.link.second).add(row.link.first_from_second);
   for (const double element : row.link.covariance) checksum.add(element);
   add(checksum, row.link.forward);
   add(checksum, row.link.backward);
+  if (!forward.empty()) checksum.add(forward.data(), forward.size());
+  if (!backward.empty()) checksum.add(backward.data(), backward.size());
   return checksum.value();
 }
 
 std::uint64_t checksumOf(PlaceId place, const void* bytes, std::size_t size) {
   return RowChecksum().add(place).add(bytes, size).value();
+}
+
+std::vector<unsigned char> bytesAt(const SqliteStatement& row, int column) {
+  const auto* bytes = static_cast<const unsigned char*>(row.blob(column));
+  return {bytes, bytes + row.size(column)};
+}
+
+std::uint64_t checksumOf(std::int64_t id, const Traversal& traversal) {
+  return RowChecksum()
+      .add(id)
+      .add(traversal.from)
+      .add(traversal.to)
+      .add(std::int64_t{traversal.begin.count()})
+      .add(std::int64_t{traversal.end.count()})
+      .add(std::int64_t{traversal.succeeded ? 1 : 0})
+      .add(traversal.source)
+      .value();
 }
 
 bool isId(PlaceId id) { return id > kNoPlace && id < kPlaceIdLimit; }
@@ -66,9 +112,11 @@ void bindPose(SqliteStatement& statement, const Pose2d& pose) {
 }
 
 LinkDirection directionAt(const SqliteStatement& row, int column) {
-  return {static_cast<std::uint32_t>(row.integer(column)),
-          static_cast<std::uint32_t>(row.integer(column + 1)),
-          std::chrono::nanoseconds(row.integer(column + 2))};
+  LinkDirection direction;
+  direction.succeeded = static_cast<std::uint32_t>(row.integer(column));
+  direction.failed = static_cast<std::uint32_t>(row.integer(column + 1));
+  direction.last = std::chrono::nanoseconds(row.integer(column + 2));
+  return direction;
 }
 
 void bindDirection(SqliteStatement& statement, const LinkDirection& direction) {
@@ -119,7 +167,10 @@ std::uint64_t writeLink(SqliteStatement& insert, const LinkRow& row) {
   insert.bind(covariance.bytes().data(), covariance.bytes().size());
   bindDirection(insert, row.link.forward);
   bindDirection(insert, row.link.backward);
-  return finish(insert, checksumOf(row));
+  const std::vector<unsigned char> forward = packHabit(row.link.forward);
+  const std::vector<unsigned char> backward = packHabit(row.link.backward);
+  insert.bind(forward.data(), forward.size()).bind(backward.data(), backward.size());
+  return finish(insert, checksumOf(row, forward, backward));
 }
 
 std::optional<LinkRow> readLink(const SqliteStatement& row) {
@@ -133,11 +184,13 @@ std::optional<LinkRow> readLink(const SqliteStatement& row) {
   for (double& element : link.covariance) element = covariance.take<double>();
   link.forward = directionAt(row, 7);
   link.backward = directionAt(row, 10);
-  if (!covariance.good() || covariance.left() != 0 || !checksumIs(row, 13, checksumOf(result)) ||
-      !isSound(link) || result.id >> kLinkShift != link.first) {
-    return std::nullopt;
-  }
-  return result;
+  const bool sound =
+      covariance.good() && covariance.left() == 0 &&
+      checksumIs(row, kLinkChecksumColumn,
+                 checksumOf(result, bytesAt(row, 13), bytesAt(row, 14))) &&
+      unpackHabit(row, 13, link.forward) && unpackHabit(row, 14, link.backward) && isSound(link) &&
+      result.id >> kLinkShift == link.first;
+  return sound ? std::optional<LinkRow>(result) : std::nullopt;
 }
 
 std::uint64_t writeGrid(SqliteStatement& insert, PlaceId place, const EvidenceGrid& grid) {
@@ -168,6 +221,25 @@ std::optional<std::vector<SonarReading>> readReadings(const SqliteStatement& row
   const void* bytes = row.blob(1);
   if (!checksumIs(row, 2, checksumOf(row.integer(0), bytes, row.size(1)))) return std::nullopt;
   return unpackReadings(bytes, row.size(1));
+}
+
+std::uint64_t writeTraversal(SqliteStatement& insert, std::int64_t id, const Traversal& traversal) {
+  insert.bind(id).bind(traversal.from).bind(traversal.to);
+  insert.bind(std::int64_t{traversal.begin.count()}).bind(std::int64_t{traversal.end.count()});
+  insert.bind(std::int64_t{traversal.succeeded ? 1 : 0}).bind(traversal.source);
+  return finish(insert, checksumOf(id, traversal));
+}
+
+std::optional<Traversal> readTraversal(const SqliteStatement& row) {
+  Traversal traversal;
+  traversal.from = row.integer(1);
+  traversal.to = row.integer(2);
+  traversal.begin = std::chrono::nanoseconds(row.integer(3));
+  traversal.end = std::chrono::nanoseconds(row.integer(4));
+  traversal.succeeded = row.integer(5) == 1;
+  traversal.source = row.text(6);
+  if (!checksumIs(row, 7, checksumOf(row.integer(0), traversal))) return std::nullopt;
+  return traversal;
 }
 
 }  // namespace place_memory::core

@@ -25,9 +25,13 @@ inline constexpr char kPlaceColumns[] =
     "id, identity, label, x, y, yaw, session, robot_x, robot_y, robot_yaw, learned_ns, checksum";
 inline constexpr char kLinkColumns[] =
     "id, first_id, second_id, x, y, yaw, covariance, forward_succeeded, forward_failed, "
-    "forward_last_ns, backward_succeeded, backward_failed, backward_last_ns, checksum";
+    "forward_last_ns, backward_succeeded, backward_failed, backward_last_ns, forward_habit, "
+    "backward_habit, checksum";
+constexpr int kLinkChecksumColumn = 15;
 inline constexpr char kGridColumns[] = "place_id, cells, checksum";
 inline constexpr char kReadingsColumns[] = "place_id, readings, checksum";
+inline constexpr char kTraversalColumns[] =
+    "id, from_id, to_id, begin_ns, end_ns, succeeded, source, checksum";
 
 struct LinkRow {
   std::int64_t id = 0;
@@ -40,12 +44,14 @@ std::uint64_t writeLink(SqliteStatement& insert, const LinkRow& row);
 std::uint64_t writeGrid(SqliteStatement& insert, PlaceId place, const EvidenceGrid& grid);
 std::uint64_t writeReadings(SqliteStatement& insert, PlaceId place,
                             const std::vector<SonarReading>& readings);
+std::uint64_t writeTraversal(SqliteStatement& insert, std::int64_t id, const Traversal& traversal);
 
 // `row` stands on a row with all columns, in the order in which they are named above.
 std::optional<Place> readPlace(const SqliteStatement& row);
 std::optional<LinkRow> readLink(const SqliteStatement& row);
 std::optional<EvidenceGrid> readGrid(const SqliteStatement& row, double cell_size);
 std::optional<std::vector<SonarReading>> readReadings(const SqliteStatement& row);
+std::optional<Traversal> readTraversal(const SqliteStatement& row);
 
 }  // namespace place_memory::core
 

@@ -36,22 +36,6 @@ const std::vector<std::string> kTables = {
     learned_ns INTEGER,         -- since the epoch
     checksum INTEGER
   ))",
-    R"(CREATE TABLE link(
-    id INTEGER PRIMARY KEY,     -- first_id << 20 | a number of its own
-    first_id INTEGER,           -- the lower one
-    second_id INTEGER,
-    x REAL,                     -- pose of the second place in the first one's frame [m]
-    y REAL,
-    yaw REAL,                   -- [rad]
-    covariance BLOB,            -- of that pose, row by row: 9 doubles
-    forward_succeeded INTEGER,  -- traversals from the first to the second
-    forward_failed INTEGER,
-    forward_last_ns INTEGER,    -- since the epoch; 0: none
-    backward_succeeded INTEGER,
-    backward_failed INTEGER,
-    backward_last_ns INTEGER,
-    checksum INTEGER
-  ))",
     R"(CREATE TABLE grid(
     place_id INTEGER PRIMARY KEY,
     cells BLOB,                 -- one signed byte a cell, row by row from the least y
@@ -102,9 +86,38 @@ const std::vector<std::string> kTables = {
     turn_factor REAL,           -- share of its turns that it misses
     checksum INTEGER
   ))",
+    R"(CREATE TABLE link(
+    id INTEGER PRIMARY KEY,     -- first_id << 20 | a number of its own
+    first_id INTEGER,           -- the lower one
+    second_id INTEGER,
+    x REAL,                     -- pose of the second place in the first one's frame [m]
+    y REAL,
+    yaw REAL,                   -- [rad]
+    covariance BLOB,            -- of that pose, row by row: 9 doubles
+    forward_succeeded INTEGER,  -- traversals from the first to the second
+    forward_failed INTEGER,
+    forward_last_ns INTEGER,    -- since the epoch; 0: none
+    backward_succeeded INTEGER,
+    backward_failed INTEGER,
+    backward_last_ns INTEGER,
+    forward_habit BLOB,         -- what traversals and people taught: 6 doubles, whether forbidden;
+    backward_habit BLOB,        -- empty, and then not in the checksum, in rows of format 4
+    checksum INTEGER
+  ))",
+    R"(CREATE TABLE traversal(
+    id INTEGER PRIMARY KEY,     -- rises
+    from_id INTEGER,
+    to_id INTEGER,
+    begin_ns INTEGER,           -- since the epoch
+    end_ns INTEGER,
+    succeeded INTEGER,          -- 1, or 0
+    source TEXT,                -- who said so
+    checksum INTEGER
+  ))",
 };
-// Those that format 3 had not, or had otherwise.
-constexpr std::size_t kSinceFormat4 = 3;
+// The first of those that are later than format 3, and than format 4.
+constexpr std::size_t kSinceFormat4 = 6;
+constexpr std::size_t kSinceFormat5 = 9;
 
 std::vector<std::string> tablesOf(SqliteDatabase& database, const std::string& column,
                                   const std::string& order) {
@@ -128,11 +141,16 @@ void createSchema(SqliteDatabase& database) {
   transaction.commit();
 }
 
-void bringSchemaToFormat4(SqliteDatabase& database) {
-  database.execute("DROP TABLE node");
-  for (std::size_t i = kTables.size() - kSinceFormat4; i < kTables.size(); ++i) {
+void bringSchemaToFormat5(SqliteDatabase& database, std::uint32_t format) {
+  if (format < 4) database.execute("DROP TABLE node");
+  database.execute("ALTER TABLE link RENAME TO link_before");
+  for (std::size_t i = format < 4 ? kSinceFormat4 : kSinceFormat5; i < kTables.size(); ++i) {
     database.execute(kTables[i]);
   }
+  database.execute(
+      "INSERT INTO link SELECT id, first_id, second_id, x, y, yaw, covariance, forward_succeeded, "
+      "forward_failed, forward_last_ns, backward_succeeded, backward_failed, backward_last_ns, "
+      "x'', x'', checksum FROM link_before; DROP TABLE link_before");
   database.execute("PRAGMA user_version = " + std::to_string(kStoreFormat));
 }
 
@@ -145,6 +163,10 @@ void checkSchema(SqliteDatabase& database, std::uint32_t format) {
     if (format == 2) names.emplace_back("planes");
     if (format == 3) {
       names = {"grid", "history", "link", "node", "place", "planes", "readings", "store"};
+    }
+    if (format == 4) {
+      names = {"grid",   "history",  "link",  "node", "place",
+               "planes", "readings", "store", "tie",  "wheels"};
     }
     sound = tablesOf(database, "name", "name") == names;
   }

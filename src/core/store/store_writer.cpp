@@ -10,6 +10,9 @@
 namespace place_memory::core {
 namespace {
 
+// Some 60 MB of history.
+constexpr std::int64_t kMostTraversals = 1000000;
+
 std::string replaceInto(const std::string& table, int columns) {
   std::string sql = "REPLACE INTO " + table + " VALUES(?";
   for (int i = 1; i < columns; ++i) sql += ", ?";
@@ -77,14 +80,16 @@ StoreWriter::StoreWriter(SqliteDatabase& database, StoreHead& head, LabelHashes&
       head_(head),
       labels_(labels),
       places_(database, "place", "id", 12, head.totals.of(StoreTable::kPlace)),
-      links_(database, "link", "id", 14, head.totals.of(StoreTable::kLink)),
+      links_(database, "link", "id", 16, head.totals.of(StoreTable::kLink)),
       grids_(database, "grid", "place_id", 3, head.totals.of(StoreTable::kGrid)),
       readings_(database, "readings", "place_id", 3, head.totals.of(StoreTable::kReadings)),
+      traversals_(database, "traversal", "id", 8, head.totals.of(StoreTable::kTraversal)),
       planes_(database, head.totals.of(StoreTable::kPlanes)),
       read_place_(database, std::string("SELECT ") + kPlaceColumns + " FROM place WHERE id = ?"),
       find_link_(database, std::string("SELECT ") + kLinkColumns +
                                " FROM link WHERE id >= ? AND id < ? AND second_id = ?"),
-      last_link_(database, "SELECT max(id) FROM link WHERE id >= ? AND id < ?") {}
+      last_link_(database, "SELECT max(id) FROM link WHERE id >= ? AND id < ?"),
+      last_traversal_(database, "SELECT max(id) FROM traversal") {}
 
 void StoreWriter::refuse(const std::string& why) const { throwStoreError(database_.path(), why); }
 
@@ -202,6 +207,15 @@ std::int64_t StoreWriter::newLinkId(PlaceId first) {
 
 void StoreWriter::write(const LinkRow& row) { links_.add(writeLink(links_.replace(row.id), row)); }
 
+void StoreWriter::write(const std::optional<Traversal>& traversal) {
+  if (!traversal) return;
+  last_traversal_.step();
+  const std::int64_t id = last_traversal_.integer(0) + 1;  // 0 where there is none
+  last_traversal_.reset();
+  traversals_.add(writeTraversal(traversals_.replace(id), id, *traversal));
+  traversals_.remove(id - kMostTraversals);
+}
+
 void StoreWriter::operator()(const LinkAdded& edit) {
   const PlaceLink& link = edit.link;
   if (!(link.first < link.second) || !places_.has(link.first) || !places_.has(link.second)) {
@@ -211,6 +225,7 @@ void StoreWriter::operator()(const LinkAdded& edit) {
   std::optional<LinkRow> before;
   const std::optional<std::int64_t> id = findLink(link.first, link.second, before);
   write(LinkRow{id ? *id : newLinkId(link.first), link});
+  write(edit.traversal);
 }
 
 void StoreWriter::operator()(const LinkRemoved& edit) {
@@ -230,12 +245,13 @@ void StoreWriter::operator()(const LinkLearned& edit) {
     refuse("has no link between " + std::to_string(first) + " and " + std::to_string(second));
   (edit.from == first ? row->link.forward : row->link.backward) = edit.direction;
   write(*row);
+  write(edit.traversal);
 }
 
 void StoreWriter::operator()(const MapCleared& /*edit*/) {
   // The history stays: by it the places come back.
   for (const char* table :
-       {"place", "link", "grid", "planes", "readings", "node", "tie", "wheels"}) {
+       {"place", "link", "grid", "planes", "readings", "node", "tie", "wheels", "traversal"}) {
     database_.execute(std::string("DELETE FROM ") + table);
   }
   planes_.close();

@@ -82,6 +82,7 @@ class StoreWriter {
   std::optional<std::int64_t> findLink(PlaceId first, PlaceId second, std::optional<LinkRow>& link);
   std::int64_t newLinkId(PlaceId first);
   void write(const LinkRow& row);
+  void write(const std::optional<Traversal>& traversal);
   void removeLinksOfRemoved();
 
   SqliteDatabase& database_;
@@ -91,10 +92,12 @@ class StoreWriter {
   CountedTable links_;
   CountedTable grids_;
   CountedTable readings_;
+  CountedTable traversals_;
   PlaneWriter planes_;
   SqliteStatement read_place_;
   SqliteStatement find_link_;
   SqliteStatement last_link_;
+  SqliteStatement last_traversal_;
   std::unordered_set<PlaceId> removed_;  ///< whose links are still there
 };
 

@@ -25,9 +25,6 @@ constexpr std::uint32_t kMatchThreads = 2;
 // Pi as people write it, such as 3.142, stands for pi.
 constexpr double kPiTolerance = 1e-3;
 
-constexpr char kNoTimeMessage[] =
-    "use_sim_time is set, but no time has come on /clock yet: start what publishes it";
-
 // The scan that a client asks for; nullptr where there is none, which is then the answer.
 template <class Response>
 std::shared_ptr<const core::Scan> takeScan(const KeptScans& scans, std::uint64_t id,

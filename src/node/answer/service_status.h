@@ -9,7 +9,9 @@
 #include <place_memory/RecognizePlace.h>
 #include <place_memory/RemovePlace.h>
 #include <place_memory/RenamePlace.h>
+#include <place_memory/ReportTraversal.h>
 #include <place_memory/Save.h>
+#include <place_memory/SetLink.h>
 #include <place_memory/Undo.h>
 
 #include <cstdint>
@@ -122,6 +124,31 @@ inline std::uint8_t toStatus<Undo::Response>(core::PlaceMemoryError::Reason reas
     default:
       return Undo::Response::STORE_FAILED;
   }
+}
+
+/// Of ReportTraversal and SetLink.
+template <class Response>
+std::uint8_t toLinkStatus(core::PlaceMemoryError::Reason reason) {
+  switch (reason) {
+    case core::PlaceMemoryError::Reason::kUnknownPlace:
+      return Response::UNKNOWN_PLACE;
+    case core::PlaceMemoryError::Reason::kUnknownLink:
+      return Response::UNKNOWN_LINK;
+    case core::PlaceMemoryError::Reason::kInvalidTraversal:
+      return Response::INVALID;
+    default:
+      return Response::STORE_FAILED;
+  }
+}
+
+template <>
+inline std::uint8_t toStatus<ReportTraversal::Response>(core::PlaceMemoryError::Reason reason) {
+  return toLinkStatus<ReportTraversal::Response>(reason);
+}
+
+template <>
+inline std::uint8_t toStatus<SetLink::Response>(core::PlaceMemoryError::Reason reason) {
+  return toLinkStatus<SetLink::Response>(reason);
 }
 
 /// Of LearnPlace and RecognizePlace.

@@ -35,6 +35,10 @@ constexpr char kMergeService[] = "merge";
 constexpr char kExportService[] = "export";
 constexpr char kUndoService[] = "undo";
 constexpr char kStaticMapService[] = "static_map";
+constexpr char kPlanRouteService[] = "plan_route";
+constexpr char kReportTraversalService[] = "report_traversal";
+constexpr char kSetLinkService[] = "set_link";
+constexpr char kMakePlanService[] = "make_plan";
 
 }  // namespace place_memory::node
 

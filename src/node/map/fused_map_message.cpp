@@ -13,7 +13,7 @@ constexpr std::int8_t kUnknown = -1;
 /// The value of each evidence, from -127 up.
 using Values = std::array<std::int8_t, 2 * core::EvidenceGrid::kLimit + 1>;
 
-Values valuesOf(const config::FusedMapOptions& options, double prior) {
+Values valuesOf(const config::MapOptions& options, double prior) {
   Values values{};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const int evidence = static_cast<int>(i) - core::EvidenceGrid::kLimit;
@@ -27,9 +27,8 @@ Values valuesOf(const config::FusedMapOptions& options, double prior) {
 
 }  // namespace
 
-nav_msgs::OccupancyGrid toMessage(const core::FusedCells& cells,
-                                  const config::FusedMapOptions& options, double sonar_prior,
-                                  const std_msgs::Header& header) {
+nav_msgs::OccupancyGrid toMessage(const core::FusedCells& cells, const config::MapOptions& options,
+                                  double sonar_prior, const std_msgs::Header& header) {
   nav_msgs::OccupancyGrid message;
   message.header = header;
   message.info.map_load_time = header.stamp;

@@ -12,9 +12,8 @@ namespace place_memory::node {
 /// The map as map_server would publish it: each cell is 100 (occupied), 0 (empty) or -1 (unknown),
 /// by its probability, given the prior `sonar_prior`. Without a cell, it is a single unknown one at
 /// the origin: move_base and rviz take no map without cells.
-nav_msgs::OccupancyGrid toMessage(const core::FusedCells& cells,
-                                  const config::FusedMapOptions& options, double sonar_prior,
-                                  const std_msgs::Header& header);
+nav_msgs::OccupancyGrid toMessage(const core::FusedCells& cells, const config::MapOptions& options,
+                                  double sonar_prior, const std_msgs::Header& header);
 
 }  // namespace place_memory::node
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <utility>
 
+#include "config/memory_options.h"
 #include "node/base/conversions.h"
 #include "node/base/node_names.h"
 #include "node/base/ros_time.h"
@@ -15,14 +16,7 @@
 namespace place_memory::node {
 namespace {
 
-core::FusedMapOptions fusedMapOptions(const config::FusedMapOptions& parameters) {
-  core::FusedMapOptions options;
-  options.resolution = parameters.resolution;
-  options.most_cells = static_cast<std::size_t>(parameters.max_cells);
-  return options;
-}
-
-std::chrono::nanoseconds pauseOf(const config::FusedMapOptions& parameters) {
+std::chrono::nanoseconds pauseOf(const config::MapOptions& parameters) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
       std::chrono::duration<double>(parameters.pause));
 }
@@ -33,7 +27,7 @@ FusedMapPublisher::FusedMapPublisher(const ros::NodeHandle& private_node, core::
                                      const config::Parameters& parameters)
     : memory_(memory),
       parameters_(parameters),
-      fused_(fusedMapOptions(parameters.map), parameters.grid,
+      fused_(config::fusedMapOptions(parameters), parameters.grid,
              [this](core::PlaceId id) { return gridOf(id); }),
       spinner_(1, &queue_),
       task_(

@@ -18,6 +18,13 @@ Traversals toMessage(const core::LinkDirection& direction) {
   message.succeeded = direction.succeeded;
   message.failed = direction.failed;
   message.last = toRosTime(direction.last);
+  message.through = direction.through;
+  message.blocked = direction.blocked;
+  message.time = direction.time;
+  message.time_sigma = direction.time_sigma;
+  message.lost_time = direction.lost_time;
+  message.toll = direction.toll;
+  message.forbidden = static_cast<std::uint8_t>(direction.forbidden);
   return message;
 }
 

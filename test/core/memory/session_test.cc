@@ -142,7 +142,7 @@ TEST_F(SessionTest, ALinkHasTheWayFromWhereTheRobotStood) {
   EXPECT_NEAR(driven.covariance[4], driven.covariance[0], 1e-9);
   EXPECT_NEAR(driven.covariance[8], 0.01, 1e-9);
   EXPECT_EQ(driven.covariance[1], 0.0);
-  EXPECT_TRUE((driven.forward == LinkDirection{1, 0, std::chrono::seconds(1002)}));
+  EXPECT_TRUE((driven.forward == LinkDirection{1, 0, std::chrono::seconds(1002), 1.0, 0.0, 1.0}));
   EXPECT_TRUE(driven.backward == LinkDirection{});
   const PlaceLink& after_recognition = links[1];
   EXPECT_EQ(after_recognition.second, learned.id);

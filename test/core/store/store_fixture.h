@@ -33,9 +33,13 @@ inline PlaceLink makeLink(PlaceId first, PlaceId second) {
   link.second = second;
   link.first_from_second = {-0.5, 2.25, 0.125};
   link.covariance = {0.5, 0.1, 0.0, 0.1, 0.25, 0.0, 0.0, 0.0, 0.03};
-  link.forward = {3, 1, std::chrono::nanoseconds(77)};
-  link.backward = {1, 0, std::chrono::nanoseconds(99)};
+  link.forward = {3, 1, std::chrono::nanoseconds(77), 2.5, 0.75, 6.0, 1.5, 20.0, 4.0, false};
+  link.backward = {1, 0, std::chrono::nanoseconds(99), 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, true};
   return link;
+}
+
+inline Traversal makeTraversal(PlaceId from, PlaceId to) {
+  return {from, to, std::chrono::seconds(from), std::chrono::seconds(to), to % 2 == 0, "a person"};
 }
 
 inline void commit(PlaceStore& store, std::vector<MapEdit> edits) {
@@ -59,7 +63,7 @@ inline PlaceId add(PlaceStore& store, const Place& place, const EvidenceGrid& gr
                    PlaceId came_from) {
   const PlaceId id = store.nextId();
   std::vector<MapEdit> edits{addition(id, place, grid)};
-  if (came_from != kNoPlace) edits.emplace_back(LinkAdded{makeLink(came_from, id)});
+  if (came_from != kNoPlace) edits.emplace_back(LinkAdded{makeLink(came_from, id), makeTraversal(came_from, id)});
   commit(store, std::move(edits));
   return id;
 }

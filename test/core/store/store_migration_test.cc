@@ -172,7 +172,7 @@ TEST_P(HotJournalTest, OfAMigrationToFormat2LeavesAStoreOfFormat1) {
   makeOldStore(path_, 1);
   cutOff(kToFormat2);
   expectOldPlaces(openAndListen());
-  EXPECT_NE(said_.find("from format 1 to 4"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("from format 1 to 5"), std::string::npos) << said_;
 }
 
 TEST_P(HotJournalTest, OfAChangeInTheNewestFormatIsUndone) {

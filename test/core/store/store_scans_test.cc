@@ -7,11 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/store/packed_bytes.h"
-#include "core/store/row_checksum.h"
-#include "core/store/sqlite.h"
-#include "core/store/store_fixture.h"
-#include "core/store/store_head.h"
+#include "core/store/later_store_fixture.h"
 
 namespace place_memory::core {
 namespace {
@@ -92,35 +88,6 @@ class StoreScansTest : public PlaceStoreTest {
     MapChange change;
     change.version = store.map().version() + 1;
     store.commit(change, scans);
-  }
-
-  // As the version wrote it that knew format 3.
-  void makeFormat3() const {
-    SqliteDatabase database(path_, false);
-    const StoreHead head = *readHead(database);
-    BytePacker totals;
-    for (std::size_t i = 0; i < kStoreTablesOfFormat3; ++i) {
-      const TableTotal& total = head.totals.of(static_cast<StoreTable>(i));
-      totals.add(total.rows).add(total.sum);
-    }
-    const std::uint64_t checksum = RowChecksum()
-                                       .add(std::int64_t{1})
-                                       .add(head.identity.data(), head.identity.size())
-                                       .add(head.cell_size)
-                                       .add(head.next_place)
-                                       .add(head.next_session)
-                                       .add(head.version)
-                                       .add(std::int64_t{head.stamp.count()})
-                                       .add(totals.bytes().data(), totals.bytes().size())
-                                       .value();
-    database.execute(
-        "DROP TABLE tie; DROP TABLE wheels; DROP TABLE node;"
-        "CREATE TABLE node(id INTEGER PRIMARY KEY, session INTEGER, x REAL, y REAL, yaw REAL, "
-        "stamp_ns INTEGER, readings BLOB, checksum INTEGER); PRAGMA user_version = 3");
-    SqliteStatement(database, "UPDATE store SET totals = ?, checksum = ?")
-        .bind(totals.bytes().data(), totals.bytes().size())
-        .bind(static_cast<std::int64_t>(checksum))
-        .run();
   }
 };
 
@@ -207,7 +174,7 @@ TEST_F(StoreScansTest, AStoreOfFormat3IsBroughtToThisOneAndKeptBesideIt) {
   fill();
   const PlaceIdentity identity = open().identity();
   const std::vector<Place> places = open().map().places();
-  makeFormat3();
+  makeFormat3(path_);
   const std::string before = readFile(path_);
   std::string said;
   StoreOpening opening;
@@ -230,7 +197,7 @@ TEST_F(StoreScansTest, AStoreOfFormat3IsBroughtToThisOneAndKeptBesideIt) {
 
 TEST_F(StoreScansTest, AStoreOfFormat3WithOtherCellsIsLeftAsItIs) {
   fill();
-  makeFormat3();
+  makeFormat3(path_);
   const std::string before = readFile(path_);
   EXPECT_THROW(PlaceStore(path_, 2.0 * kDefaultCellSize), StoreError);
   EXPECT_EQ(readFile(path_), before);
@@ -239,7 +206,7 @@ TEST_F(StoreScansTest, AStoreOfFormat3WithOtherCellsIsLeftAsItIs) {
 
 TEST_F(StoreScansTest, ADamagedRowOfFormat3IsNamedAfterItWasBroughtOver) {
   fill();
-  makeFormat3();
+  makeFormat3(path_);
   runSql(path_, "UPDATE place SET x = 100 WHERE id = 2");
   const PlaceStore store = open();
   EXPECT_EQ(store.map().size(), 2U);

@@ -46,7 +46,8 @@ class Smoke(unittest.TestCase):
         for name in ("evaluation/one", "evaluation/portable", "preparation/local",
                      "preparation/any", "grid", "yardstick/local/21", "yardstick/any/21",
                      "recognition/local/21", "recognition/any/21", "full_search/local/21",
-                     "full_search/any/21"):
+                     "full_search/any/21", "fused_map/scratch/21", "fused_map/moved/21",
+                     "fused_map/cells/21"):
             self.assertGreater(self.rows[name]["real_time"], 0.0, name)
 
     def test_reports_accuracy_beside_time(self):

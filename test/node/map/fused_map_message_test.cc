@@ -24,12 +24,12 @@ core::FusedCells someCells() {
 
 TEST(FusedMapMessage, CellsAreOccupiedEmptyOrUnknown) {
   const nav_msgs::OccupancyGrid message =
-      toMessage(someCells(), config::FusedMapOptions{}, 0.5, kHeader);
+      toMessage(someCells(), config::MapOptions{}, 0.5, kHeader);
   EXPECT_EQ(message.data, (std::vector<std::int8_t>{100, -1, 100, -1, -1, 0}));
 }
 
 TEST(FusedMapMessage, ThePriorAndTheBoundsCount) {
-  config::FusedMapOptions options;
+  config::MapOptions options;
   options.occupied = 0.9;
   options.empty = 0.5;
   const nav_msgs::OccupancyGrid message = toMessage(someCells(), options, 0.4, kHeader);
@@ -38,7 +38,7 @@ TEST(FusedMapMessage, ThePriorAndTheBoundsCount) {
 
 TEST(FusedMapMessage, LiesAsTheCellsDo) {
   const nav_msgs::OccupancyGrid message =
-      toMessage(someCells(), config::FusedMapOptions{}, 0.5, kHeader);
+      toMessage(someCells(), config::MapOptions{}, 0.5, kHeader);
   EXPECT_EQ(message.header.frame_id, "map");
   EXPECT_EQ(message.header.stamp, ros::Time(12, 0));
   EXPECT_EQ(message.info.map_load_time, ros::Time(12, 0));
@@ -54,7 +54,7 @@ TEST(FusedMapMessage, AMapWithoutAPlaceIsOneUnknownCell) {
   core::FusedCells cells;
   cells.resolution = 0.05;
   const nav_msgs::OccupancyGrid message =
-      toMessage(cells, config::FusedMapOptions{}, 0.5, kHeader);
+      toMessage(cells, config::MapOptions{}, 0.5, kHeader);
   EXPECT_EQ(message.info.width, 1U);
   EXPECT_EQ(message.info.height, 1U);
   EXPECT_EQ(message.info.resolution, 0.05F);

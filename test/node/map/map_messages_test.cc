@@ -42,7 +42,7 @@ TEST(ToMessage, APlaceKeepsEverything) {
 
 TEST(ToMessage, ALinkKeepsEverything) {
   core::PlaceLink link = makeLink(2, 7);
-  link.forward = {3, 1, std::chrono::seconds(9)};
+  link.forward = {3, 1, std::chrono::seconds(9), 2.5, 0.5, 6.0, 1.5, 20.0, 4.0, true};
   link.backward = {0, 2, std::chrono::seconds(8)};
   const PlaceLink message = toMessage(link);
   EXPECT_EQ(message.first_id, 2);
@@ -55,6 +55,14 @@ TEST(ToMessage, ALinkKeepsEverything) {
   EXPECT_EQ(message.forward.succeeded, 3U);
   EXPECT_EQ(message.forward.failed, 1U);
   EXPECT_EQ(message.forward.last, ros::Time(9, 0));
+  EXPECT_EQ(message.forward.through, 2.5);
+  EXPECT_EQ(message.forward.blocked, 0.5);
+  EXPECT_EQ(message.forward.time, 6.0);
+  EXPECT_EQ(message.forward.time_sigma, 1.5);
+  EXPECT_EQ(message.forward.lost_time, 20.0);
+  EXPECT_EQ(message.forward.toll, 4.0);
+  EXPECT_TRUE(message.forward.forbidden);
+  EXPECT_FALSE(message.backward.forbidden);
   EXPECT_EQ(message.backward.succeeded, 0U);
   EXPECT_EQ(message.backward.failed, 2U);
   EXPECT_EQ(message.backward.last, ros::Time(8, 0));

@@ -1,10 +1,10 @@
-#include "tools/grid_picture.h"
+#include "picture/grid_picture.h"
 
 #include <gtest/gtest.h>
 
 #include "place_memory/core/pose2d.h"
 
-namespace place_memory::tools {
+namespace place_memory::picture {
 namespace {
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -50,4 +50,4 @@ TEST(OverlayPicture, ShowsBoth) {
 }
 
 }  // namespace
-}  // namespace place_memory::tools
+}  // namespace place_memory::picture

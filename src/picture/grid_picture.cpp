@@ -1,11 +1,13 @@
-#include "tools/grid_picture.h"
+#include "picture/grid_picture.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
-#include "tools/svg.h"
+#include "picture/svg_text.h"
 
-namespace place_memory::tools {
+namespace place_memory::picture {
 namespace {
 
 // Lengths in a picture are cells.
@@ -14,7 +16,7 @@ namespace {
 struct Shade {
   int least;
   int most;
-  const char* fill;
+  Color fill;
 };
 
 constexpr int kOccupied = 12;  // evidence of a cell that is rather occupied than not
@@ -22,12 +24,12 @@ constexpr int kOccupied = 12;  // evidence of a cell that is rather occupied tha
 // Unsensed cells stay as the background is.
 const std::vector<Shade>& shades() {
   static const std::vector<Shade> shades{
-      {-core::EvidenceGrid::kLimit, -33, "#ffffff"},
-      {-32, -13, "#efefef"},
-      {-12, -1, "#dcdcdc"},
-      {1, kOccupied - 1, "#a0a0a0"},
-      {kOccupied, 32, "#606060"},
-      {33, core::EvidenceGrid::kLimit, "#000000"},
+      {-core::EvidenceGrid::kLimit, -33, {255, 255, 255}},
+      {-32, -13, {239, 239, 239}},
+      {-12, -1, {220, 220, 220}},
+      {1, kOccupied - 1, {160, 160, 160}},
+      {kOccupied, 32, {96, 96, 96}},
+      {33, core::EvidenceGrid::kLimit, {0, 0, 0}},
   };
   return shades;
 }
@@ -50,7 +52,7 @@ std::string path(const core::EvidenceGrid& grid, const Shade& shade) {
     }
   }
   if (runs.empty()) return runs;
-  return std::string("<path fill=\"") + shade.fill + "\" d=\"" + runs + "\"/>";
+  return "<path fill=\"" + hex(shade.fill) + "\" d=\"" + runs + "\"/>";
 }
 
 std::string cells(const core::EvidenceGrid& grid) {
@@ -59,7 +61,7 @@ std::string cells(const core::EvidenceGrid& grid) {
   return paths;
 }
 
-std::string occupied(const core::EvidenceGrid& grid, const char* fill) {
+std::string occupied(const core::EvidenceGrid& grid, const Color& fill) {
   return path(grid, {kOccupied, core::EvidenceGrid::kLimit, fill});
 }
 
@@ -84,6 +86,13 @@ std::string picture(const std::string& content) {
 
 }  // namespace
 
+Color shadeOf(int evidence) {
+  const auto has = [evidence](const Shade& shade) {
+    return evidence >= shade.least && evidence <= shade.most;
+  };
+  return std::find_if(shades().begin(), shades().end(), has)->fill;
+}
+
 std::string scanPicture(const core::EvidenceGrid& scan, const core::Pose2d& robot) {
   return picture(cells(scan) + robotArrow(robot, scan.geometry().cell_size));
 }
@@ -99,9 +108,9 @@ std::string overlayPicture(const core::EvidenceGrid& scan, const core::EvidenceG
                            const core::Pose2d& place_from_scan, const core::Pose2d& robot) {
   const double cell_size = place.geometry().cell_size;
   return picture("<path fill=\"#ffffff\" d=\"M-32 -32h64v64h-64z\"/>" +
-                 moved(occupied(place, "#3070ff"), place_from_scan.inverse(), cell_size) +
-                 "<g fill-opacity=\".6\">" + occupied(scan, "#ff2020") + "</g>" +
+                 moved(occupied(place, {0x30, 0x70, 0xff}), place_from_scan.inverse(), cell_size) +
+                 "<g fill-opacity=\".6\">" + occupied(scan, {0xff, 0x20, 0x20}) + "</g>" +
                  robotArrow(robot, cell_size));
 }
 
-}  // namespace place_memory::tools
+}  // namespace place_memory::picture

@@ -1,13 +1,14 @@
-#include "tools/svg.h"
+#include "picture/svg_text.h"
 
 #include <cmath>
+#include <cstdio>
 #include <iomanip>
 #include <locale>
 #include <sstream>
 
 #include "support/text.h"
 
-namespace place_memory::tools {
+namespace place_memory::picture {
 
 std::string escaped(std::string_view text) {
   std::string safe;
@@ -44,6 +45,12 @@ std::string decimal(double number, int decimals) {
   return is_zero && digits.front() == '-' ? digits.substr(1) : digits;
 }
 
+std::string hex(const Color& color) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", color.red, color.green, color.blue);
+  return text;
+}
+
 std::string hint(std::string_view text) { return "<title>" + escaped(text) + "</title>"; }
 
-}  // namespace place_memory::tools
+}  // namespace place_memory::picture

@@ -1,0 +1,59 @@
+#include "core/drive/echo_ring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace place_memory::core {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+void EchoRing::hear(SensorId sensor, std::chrono::nanoseconds stamp, const Pose2d& base_from_sensor,
+                    double range) {
+  heard_[sensor] = {stamp, base_from_sensor, range};
+}
+
+template <class Take>
+void EchoRing::forEachEcho(std::chrono::nanoseconds now, const Take& take) const {
+  for (const auto& [sensor, heard] : heard_) {
+    if (now - heard.stamp > memory_ || !std::isfinite(heard.range)) continue;
+    const Pose2d echo = heard.base_from_sensor * Pose2d{heard.range, 0.0, 0.0};
+    take(echo.x, echo.y);
+  }
+}
+
+bool EchoRing::isBlind(std::chrono::nanoseconds now) const {
+  return std::none_of(heard_.begin(), heard_.end(), [&](const auto& item) {
+    const Heard& heard = item.second;
+    return now - heard.stamp <= memory_ && std::cos(heard.base_from_sensor.yaw) > 0.0;
+  });
+}
+
+double EchoRing::ahead(std::chrono::nanoseconds now, double half_width) const {
+  double nearest = kFar;
+  forEachEcho(now, [&](double x, double y) {
+    if (x > 0.0 && std::abs(y) < half_width) nearest = std::min(nearest, x);
+  });
+  return nearest;
+}
+
+double EchoRing::behind(std::chrono::nanoseconds now, double half_width) const {
+  double nearest = kFar;
+  forEachEcho(now, [&](double x, double y) {
+    if (x < 0.0 && std::abs(y) < half_width) nearest = std::min(nearest, -x);
+  });
+  return nearest;
+}
+
+double EchoRing::beside(std::chrono::nanoseconds now, double side, double reach) const {
+  double nearest = kFar;
+  forEachEcho(now, [&](double x, double y) {
+    if (x > 0.0 && x < reach && side * y > 0.0) nearest = std::min(nearest, side * y);
+  });
+  return nearest;
+}
+
+}  // namespace place_memory::core
