@@ -145,8 +145,9 @@ void FusedMapPublisher::diagnose(diagnostic_updater::DiagnosticStatusWrapper& st
                        " places lie too far off to be on the building's map: are they where they "
                        "belong? If so, raise map/max_cells or map/resolution");
   } else {
-    status.summaryf(DiagnosticStatus::OK, "%.1f m by %.1f m", info.width * info.resolution,
-                    info.height * info.resolution);
+    const auto resolution = static_cast<double>(info.resolution);
+    status.summaryf(DiagnosticStatus::OK, "%.1f m by %.1f m", info.width * resolution,
+                    info.height * resolution);
   }
   status.add("cells", static_cast<std::size_t>(info.width) * info.height);
   status.add("resolution [m]", info.resolution);
