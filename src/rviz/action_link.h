@@ -6,12 +6,15 @@
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <ros/single_subscriber_publisher.h>
 #include <ros/subscriber.h>
 #include <ros/this_node.h>
 #include <ros/time.h>
 
 #include <chrono>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,7 +38,9 @@ class ActionLink {
              const std::shared_ptr<Board>& board)
       : name_(name), board_(board) {
     const std::string topic = node + "/" + name;
-    goal_ = names.advertise<ActionGoal>(topic + "/goal", 1);
+    goal_ = names.advertise<ActionGoal>(
+        topic + "/goal", 1,
+        [this](const ros::SingleSubscriberPublisher& server) { onConnected(server); });
     cancel_ = names.advertise<actionlib_msgs::GoalID>(topic + "/cancel", 1);
     subscribers_ = {names.subscribe(topic + "/status", 10, &ActionLink::onStatus, this),
                     names.subscribe(topic + "/feedback", 10, &ActionLink::onFeedback, this),
@@ -43,20 +48,18 @@ class ActionLink {
   }
 
   void send(const Goal& goal) {
-    if (goal_.getNumSubscribers() == 0) {
-      board_->change([this](PanelState& state) {
-        state.say("the node does not listen to ~" + name_ + " yet: ask again", true);
-      });
-      return;
-    }
     ActionGoal message;
     message.goal_id.id = ros::this_node::getName() + "-" + name_ + "-" +
                          std::to_string(Clock::now().time_since_epoch().count());
     message.goal = goal;
-    board_->change([&](PanelState& state) {
-      state.sendGoal(name_, message.goal_id.id, Clock::now());
-    });
-    goal_.publish(message);
+    board_->change(
+        [&](PanelState& state) { state.sendGoal(name_, message.goal_id.id, Clock::now()); });
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (goal_.getNumSubscribers() > 0) {
+      goal_.publish(message);
+    } else {
+      unsent_ = {message, Clock::now()};
+    }
   }
 
   /// Whatever goal is under way.
@@ -64,6 +67,18 @@ class ActionLink {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  /// A goal and when it was asked for, where the node was not connected yet.
+  struct Unsent {
+    ActionGoal goal;
+    Clock::time_point since;
+  };
+
+  void onConnected(const ros::SingleSubscriberPublisher& server) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (unsent_ && Clock::now() - unsent_->since < kGoalPatience) server.publish(unsent_->goal);
+    unsent_.reset();
+  }
 
   void onStatus(const actionlib_msgs::GoalStatusArray& statuses) {
     for (const actionlib_msgs::GoalStatus& status : statuses.status_list) {
@@ -88,6 +103,8 @@ class ActionLink {
   const std::string name_;
   const std::shared_ptr<Board> board_;
   ros::Publisher goal_;
+  std::mutex mutex_;
+  std::optional<Unsent> unsent_;
   ros::Publisher cancel_;
   std::vector<ros::Subscriber> subscribers_;
 };

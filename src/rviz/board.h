@@ -23,6 +23,13 @@ class Board {
     return change(state_);
   }
 
+  /// Whatever `read(state)` returns, which changes nothing.
+  template <class Read>
+  auto read(const Read& read) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return read(state_);
+  }
+
   /// What is to be shown, if that has changed since it was asked for last.
   std::optional<PanelView> news() {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -32,7 +39,7 @@ class Board {
   }
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   PanelState state_;
   std::uint64_t version_ = 1;
   std::uint64_t seen_ = 0;

@@ -24,6 +24,7 @@ constexpr char kMapChangesTopic[] = "map_changes";
 constexpr char kRecognitionTopic[] = "recognition";
 constexpr char kBeliefTopic[] = "belief";
 constexpr char kModeTopic[] = "mode";
+constexpr char kEventsTopic[] = "events";
 
 }  // namespace place_memory::panel
 

@@ -1,5 +1,7 @@
 #include "rviz/node_link.h"
 
+#include <std_msgs/String.h>
+
 #include <boost/function.hpp>
 
 #include "rviz/interface_names.h"
@@ -27,12 +29,19 @@ NodeLink::NodeLink(const std::string& node, const std::shared_ptr<Board>& board)
   names_.setCallbackQueue(&queue_);
   const std::string below = node + "/";
   subscribers_ = {
-      write<MapChange>(
-          names_, below + kMapChangesTopic, board,
-          [](PanelState& state, const MapChange& change) { state.addChange(change); }),
+      write<MapChange>(names_, below + kMapChangesTopic, board,
+                       [](PanelState& state, const MapChange& change) { state.addChange(change); }),
       write<Recognition>(
           names_, below + kRecognitionTopic, board,
           [](PanelState& state, const Recognition& answer) { state.setRecognition(answer); }),
+      write<PlaceBelief>(
+          names_, below + kBeliefTopic, board,
+          [](PanelState& state, const PlaceBelief& belief) { state.setBelief(belief); }),
+      write<std_msgs::String>(
+          names_, below + kModeTopic, board,
+          [](PanelState& state, const std_msgs::String& mode) { state.setMode(mode.data); }),
+      write<MapEvent>(names_, below + kEventsTopic, board,
+                      [](PanelState& state, const MapEvent& event) { state.addEvent(event); }),
   };
   scan_ = std::make_unique<ActionLink<ScanPlaceAction>>(names_, node, kScanAction, board);
   spinner_.start();

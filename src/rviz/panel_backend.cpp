@@ -4,9 +4,11 @@
 #include <place_memory/LearnPlace.h>
 #include <place_memory/Load.h>
 #include <place_memory/RecognizePlace.h>
+#include <place_memory/Relocalize.h>
 #include <place_memory/RemovePlace.h>
 #include <place_memory/RenamePlace.h>
 #include <place_memory/Save.h>
+#include <place_memory/SetMode.h>
 #include <place_memory/Undo.h>
 #include <ros/init.h>
 
@@ -18,7 +20,8 @@ namespace place_memory::panel {
 namespace {
 
 constexpr std::chrono::seconds kLookPeriod(1);
-constexpr std::chrono::seconds kPatience(15);  // with a service
+constexpr std::chrono::seconds kLookPatience(5);
+constexpr std::chrono::seconds kPatience(15);      // with a service
 constexpr std::chrono::seconds kLongPatience(60);  // with one that goes through the whole map
 
 std::string endInWords(CallEnd end, const std::string& service, std::chrono::seconds patience) {
@@ -62,20 +65,23 @@ std::optional<PanelView> PanelBackend::poll() {
     looked_ = now;
     board_->change([now](PanelState& state) { state.giveUpGoals(now); });
     look();
-    link();
     askForGraph();
   }
+  link();
   return board_->news();
 }
 
 void PanelBackend::look() {
+  const auto now = ServiceCaller::Clock::now();
   if (is_looking_->exchange(true)) {
+    if (now - look_begun_ < kLookPatience) return;
     // The network keeps the last look waiting: so it would do with all else.
     Presence away;
     away.kind = Presence::Kind::kAway;
     board_->change([&away](PanelState& state) { state.setPresence(away); });
     return;
   }
+  look_begun_ = now;
   watch_.post([node = node_, board = board_, is_looking = is_looking_] {
     const Presence presence = lookFor(node);
     board->change([&presence](PanelState& state) { state.setPresence(presence); });
@@ -85,8 +91,8 @@ void PanelBackend::look() {
 
 void PanelBackend::link() {
   // Without a master ROS would wait for one, and hold up whoever closes rviz.
-  const bool has_master = board_->change([](PanelState& state) { return state.hasMaster(); });
-  if (is_linked_ || !has_master) return;
+  const auto has_master = [](const PanelState& state) { return state.hasMaster(); };
+  if (is_linked_ || !board_->read(has_master)) return;
   is_linked_ = true;
   links_.post([link = link_, board = board_, node = node_] {
     if (ros::ok()) link->node = std::make_unique<NodeLink>(node, board);
@@ -145,8 +151,14 @@ void PanelBackend::learn(const std::string& label) {
   call<LearnPlace>(kLearnPlaceService, request, kPatience);
 }
 
-void PanelBackend::recognize() {
-  call<RecognizePlace>(kRecognizePlaceService, {}, kLongPatience);
+void PanelBackend::recognize() { call<RecognizePlace>(kRecognizePlaceService, {}, kLongPatience); }
+
+void PanelBackend::relocalize() { call<Relocalize>(kRelocalizeService, {}, kPatience); }
+
+void PanelBackend::setMode(const std::string& mode) {
+  SetMode::Request request;
+  request.mode = mode;
+  call<SetMode>(kSetModeService, request, kLongPatience);
 }
 
 void PanelBackend::rename(const std::string& label, const std::string& new_label) {

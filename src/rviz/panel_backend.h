@@ -35,6 +35,8 @@ class PanelBackend {
   void scan();
   void learn(const std::string& label);
   void recognize();
+  void relocalize();
+  void setMode(const std::string& mode);
   void rename(const std::string& label, const std::string& new_label);
   void remove(const std::string& label);
   void undo();
@@ -64,7 +66,8 @@ class PanelBackend {
   bool is_linked_ = false;
   std::shared_ptr<ServiceCaller> caller_;
   std::shared_ptr<std::atomic<bool>> is_looking_;
-  std::chrono::steady_clock::time_point looked_;
+  std::chrono::steady_clock::time_point looked_;      // was to be looked, newest
+  std::chrono::steady_clock::time_point look_begun_;  // the newest one
   BackgroundThread links_;
   BackgroundThread watch_;
 };

@@ -4,6 +4,7 @@
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QScrollArea>
 #include <QSizePolicy>
 #include <QString>
 #include <QVBoxLayout>
@@ -12,6 +13,8 @@ namespace place_memory::panel {
 namespace {
 
 constexpr int kTableRows = 5;
+constexpr int kListRows = 6;       // at the least
+constexpr int kLeastHeight = 560;  // in which the buttons and the newest answer are seen [pixels]
 
 template <class Widget>
 Widget* named(Widget* widget, const char* name) {
@@ -128,6 +131,7 @@ QWidget* makePlaces(PanelForm& form) {
   form.places = named(new QListView, "places");
   form.places->setUniformItemSizes(true);
   form.places->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  form.places->setMinimumHeight(kListRows * form.places->fontMetrics().height());
   auto* box = new QGroupBox("Places");
   auto* rows = new QGridLayout(box);
   rows->addWidget(form.filter, 0, 0, 1, 2);
@@ -141,7 +145,19 @@ QWidget* makePlaces(PanelForm& form) {
 }  // namespace
 
 PanelForm::PanelForm(QWidget* panel) {
-  auto* rows = new QVBoxLayout(panel);
+  // On a small screen it is scrolled, and rviz's window need not grow.
+  auto* area = new QScrollArea;
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setMinimumHeight(kLeastHeight);
+  auto* content = new QWidget;
+  area->setWidget(content);
+  auto* frame = new QVBoxLayout(panel);
+  frame->setContentsMargins(0, 0, 0, 0);
+  frame->addWidget(area);
+
+  auto* rows = new QVBoxLayout(content);
   rows->addLayout(makeNodeRows(*this));
   rows->addLayout(makeCommands(*this));
   rows->addLayout(makeProgress(*this));

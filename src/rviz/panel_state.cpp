@@ -1,5 +1,6 @@
 #include "rviz/panel_state.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "rviz/interface_names.h"
@@ -9,7 +10,6 @@ namespace place_memory::panel {
 namespace {
 
 constexpr std::size_t kShownMatches = 5;
-constexpr std::chrono::seconds kGoalPatience(5);
 
 }  // namespace
 
@@ -36,6 +36,7 @@ void PanelState::breakOff(const std::string& reason) {
   if (!view_.goals.empty()) say(view_.goals.begin()->first + " ended: " + reason, true);
   view_.goals.clear();
   view_.belief.clear();
+  view_.off_map.reset();
   view_.lost.reset();
   view_.mode.clear();
 }
@@ -68,6 +69,28 @@ void PanelState::setRecognition(const Recognition& recognition) {
   for (const PlaceMatch& match : recognition.matches) {
     if (view_.matches.size() == kShownMatches) break;
     view_.matches.push_back({match.label, match.probability});
+  }
+}
+
+void PanelState::setBelief(const PlaceBelief& belief) {
+  view_.belief.clear();
+  const std::size_t known = std::min(belief.labels.size(), belief.probabilities.size());
+  for (std::size_t i = 0; i < std::min(known, kShownMatches); ++i) {
+    view_.belief.push_back({belief.labels[i], belief.probabilities[i]});
+  }
+  view_.off_map = belief.off_map;
+  view_.lost = belief.p_lost;
+}
+
+void PanelState::addEvent(const MapEvent& event) {
+  switch (event.kind) {
+    case MapEvent::DOUBT:
+    case MapEvent::TAKEN_BACK:
+    case MapEvent::LOST:
+    case MapEvent::TROUBLE:
+      return say(event.sentence, true);
+    default:
+      return say(event.sentence, false);
   }
 }
 

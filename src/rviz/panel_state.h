@@ -2,6 +2,8 @@
 #define PLACE_MEMORY_RVIZ_PANEL_STATE_H
 
 #include <place_memory/MapChange.h>
+#include <place_memory/MapEvent.h>
+#include <place_memory/PlaceBelief.h>
 #include <place_memory/PlaceGraph.h>
 #include <place_memory/Recognition.h>
 
@@ -14,6 +16,9 @@
 #include "rviz/place_list.h"
 
 namespace place_memory::panel {
+
+/// The node has so long to say something of a goal.
+constexpr std::chrono::seconds kGoalPatience(5);
 
 /// What the messages of one node say, for whoever shows it.
 class PanelState {
@@ -34,6 +39,9 @@ class PanelState {
   void addChange(const MapChange& change);
 
   void setRecognition(const Recognition& recognition);
+  void setBelief(const PlaceBelief& belief);
+  /// Its sentence is said; a problem are doubts, being lost, and what cannot be kept.
+  void addEvent(const MapEvent& event);
   void setMode(const std::string& mode) { view_.mode = mode; }
 
   void beginCall(const std::string& service) { view_.calls.insert(service); }
@@ -60,7 +68,7 @@ class PanelState {
   PanelView view_;  // without the places
   PlaceList places_;
   std::map<std::string, std::string> ended_;  // newest goal of each action that ended
-  std::uint64_t newest_version_ = 0;           // of the map, as the newest change has it
+  std::uint64_t newest_version_ = 0;          // of the map, as the newest change has it
   bool wants_graph_ = true;
 };
 

@@ -44,6 +44,7 @@ struct PanelView {
   std::string verdict;                       ///< newest answer, in words
   std::vector<LabelledProbability> matches;  ///< its foremost
   std::vector<LabelledProbability> belief;   ///< likewise
+  std::optional<double> off_map;             ///< probability of being at none of the places
   std::optional<double> lost;                ///< probability that the robot is lost
   std::string mode;                          ///< empty: not known
   std::shared_ptr<const PlaceRows> places;

@@ -38,8 +38,8 @@ void PlaceList::doWhatItSays(const MapChange& change) {
   if (change.cleared) places_.clear();
   for (const std::int64_t id : change.removed) places_.erase(id);
   for (const Place& place : change.added) places_[place.id] = toRow(place);
-  const std::size_t moved = std::min(
-      {change.moved.size(), change.moved_locations.size(), change.moved_sessions.size()});
+  const std::size_t moved =
+      std::min({change.moved.size(), change.moved_locations.size(), change.moved_sessions.size()});
   for (std::size_t i = 0; i < moved; ++i) {
     const auto found = places_.find(change.moved[i]);
     if (found == places_.end()) continue;

@@ -1,6 +1,5 @@
 #include "rviz/place_memory_panel.h"
 
-#include <pluginlib/class_list_macros.hpp>
 #include <ros/exceptions.h>
 #include <ros/names.h>
 
@@ -11,6 +10,7 @@
 #include <QStringList>
 #include <QTreeWidgetItem>
 #include <cmath>
+#include <pluginlib/class_list_macros.hpp>
 
 #include "rviz/verdict_words.h"
 
@@ -25,8 +25,8 @@ constexpr char kProblemColour[] = "color: #b00020";
 void fill(QTreeWidget& table, const std::vector<LabelledProbability>& rows) {
   table.clear();
   for (const auto& [label, probability] : rows) {
-    table.addTopLevelItem(new QTreeWidgetItem({QString::fromStdString(label),
-                                               QString::fromStdString(percent(probability))}));
+    table.addTopLevelItem(new QTreeWidgetItem(
+        {QString::fromStdString(label), QString::fromStdString(percent(probability))}));
   }
 }
 
@@ -54,6 +54,8 @@ void PlaceMemoryPanel::connectButtons() {
     connect(button, &QPushButton::clicked, this, [this, command = command] { press(command); });
   }
   connect(form_.cancel, &QPushButton::clicked, this, [this] { backend_.cancel(); });
+  connect(form_.mode, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { backend_.setMode(form_.mode->currentText().toStdString()); });
   connect(form_.label, &QLineEdit::returnPressed, form_.buttons.at(Command::kLearn),
           &QPushButton::click);
   connect(form_.node, QOverload<int>::of(&QComboBox::activated), this,
@@ -100,6 +102,9 @@ void PlaceMemoryPanel::press(Command command) {
     case Command::kRecognize:
       backend_.recognize();
       break;
+    case Command::kRelocalize:
+      backend_.relocalize();
+      break;
     case Command::kUndo:
       backend_.undo();
       break;
@@ -123,10 +128,10 @@ void PlaceMemoryPanel::press(Command command) {
 
 void PlaceMemoryPanel::askToRemove(const std::string& label) {
   // Not exec(), which would hold up whoever pressed the button.
-  auto* box = new QMessageBox(QMessageBox::Question, "Remove a place",
-                              "Remove the place \"" + QString::fromStdString(label) +
-                                  "\" and its links from the map?",
-                              QMessageBox::Yes | QMessageBox::No, this);
+  auto* box = new QMessageBox(
+      QMessageBox::Question, "Remove a place",
+      "Remove the place \"" + QString::fromStdString(label) + "\" and its links from the map?",
+      QMessageBox::Yes | QMessageBox::No, this);
   box->setAttribute(Qt::WA_DeleteOnClose);
   connect(box, &QMessageBox::finished, this, [this, label](int answer) {
     if (answer == QMessageBox::Yes) backend_.remove(label);
@@ -180,6 +185,8 @@ void PlaceMemoryPanel::showCommands() {
   const std::string reason = whyNot(view_, Command::kSetMode, place_is_chosen);
   form_.mode->setEnabled(reason.empty());
   form_.mode->setToolTip(QString::fromStdString(reason));
+  const int mode = form_.mode->findText(QString::fromStdString(view_.mode));
+  if (!form_.mode->view()->isVisible()) form_.mode->setCurrentIndex(mode);
   form_.cancel->setEnabled(!view_.goals.empty());
 }
 
@@ -197,8 +204,8 @@ void PlaceMemoryPanel::showProgress(const PanelView& view) {
         is_waiting ? "waiting for ~" + QString::fromStdString(*view.calls.begin()) : "");
   }
   const bool is_running = !view.goals.empty() && !view.goals.begin()->second.message.empty();
-  form_.note->setText(QString::fromStdString(is_running ? view.goals.begin()->second.message
-                                                        : view.note.text));
+  form_.note->setText(
+      QString::fromStdString(is_running ? view.goals.begin()->second.message : view.note.text));
   form_.note->setStyleSheet(!is_running && view.note.is_problem ? kProblemColour : "");
 }
 
@@ -206,7 +213,12 @@ void PlaceMemoryPanel::showWhere(const PanelView& view) {
   form_.verdict->setText(QString::fromStdString(view.verdict));
   fill(*form_.matches, view.matches);
   fill(*form_.belief, view.belief);
-  form_.lost->setText(view.lost ? "lost with " + QString::fromStdString(percent(*view.lost)) : "");
+  form_.lost->setText(QString::fromStdString(
+      view.lost ? "Lost: " + percent(*view.lost) +
+                      ". At none of the places: " + percent(view.off_map.value_or(0.0)) + "."
+                : ""));
+  form_.belief->setVisible(view.lost.has_value());
+  form_.lost->setVisible(view.lost.has_value());
 }
 
 void PlaceMemoryPanel::showPlaces(const PanelView& view) {

@@ -43,8 +43,8 @@ std::vector<std::string> before(const std::string& suffix, const std::set<std::s
   return found;
 }
 
-/// Where a service is answered, once something was reached there. A node that was killed stays known
-/// to the master.
+/// Where a service is answered, once something was reached there. A node that was killed stays
+/// known to the master.
 std::optional<std::string> reach(const std::string& service) {
   std::string host;
   std::uint32_t port = 0;

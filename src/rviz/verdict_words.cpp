@@ -24,8 +24,8 @@ std::string verdictInWords(const Recognition& recognition) {
     return "Ambiguous: some places look alike from here, " + best + ", " + inWords(matches[1]) +
            ". A scan from another spot may part them.";
   }
-  return "Not recognized: no place is sure to fit; the best of " +
-         std::to_string(matches.size()) + " is " + best + ".";
+  return "Not recognized: no place is sure to fit; the best of " + std::to_string(matches.size()) +
+         " is " + best + ".";
 }
 
 }  // namespace place_memory::panel

@@ -1,6 +1,5 @@
 // Presses the panel's buttons for a test, without rviz around it: loads the panel as rviz does, and
 // obeys the lines that come on its standard input, each with one line on its output.
-#include <pluginlib/class_loader.hpp>
 #include <ros/init.h>
 #include <rviz/panel.h>
 #include <rviz/yaml_config_reader.h>
@@ -26,6 +25,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <pluginlib/class_loader.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -53,9 +53,8 @@ std::string textOf(const QListView& list) {
 class HoldWatch {
  public:
   HoldWatch() {
-    QObject::connect(&timer_, &QTimer::timeout, [this] {
-      longest_ = std::max(longest_, clock_.restart());
-    });
+    QObject::connect(&timer_, &QTimer::timeout,
+                     [this] { longest_ = std::max(longest_, clock_.restart()); });
     clock_.start();
     timer_.start(5);
   }
@@ -219,7 +218,8 @@ int main(int argc, char** argv) {
     std::string line;
     if (!std::getline(std::cin, line)) return application.quit();
     try {
-      std::cout << "ok " << driver.obey(line) << std::endl;
+      const std::string answer = driver.obey(line);
+      std::cout << "ok " << answer << std::endl;
     } catch (const std::exception& error) {
       std::cout << "failed " << error.what() << std::endl;
     }

@@ -210,5 +210,43 @@ TEST_F(PanelStateTest, AnAnswerThatNamesNoPlaceSaysWhyNot) {
             "25 %. A scan from another spot may part them.");
 }
 
+TEST_F(PanelStateTest, TheBeliefIsOfARobotThatDrives) {
+  EXPECT_FALSE(state_.view().lost.has_value());
+  PlaceBelief belief;
+  for (int i = 0; i < 8; ++i) {
+    belief.labels.push_back("place " + std::to_string(i));
+    belief.probabilities.push_back(0.4 / (1 + i));
+  }
+  belief.off_map = 0.1;
+  belief.p_lost = 0.25;
+  state_.setBelief(belief);
+  EXPECT_EQ(state_.view().belief.size(), 5U);
+  EXPECT_EQ(state_.view().belief[1].probability, 0.2);
+  EXPECT_EQ(state_.view().lost, 0.25);
+  EXPECT_EQ(state_.view().off_map, 0.1);
+  state_.setPresence(away());
+  EXPECT_FALSE(state_.view().lost.has_value()) << "nobody says so any more";
+}
+
+TEST_F(PanelStateTest, ABeliefThatIsCutShortIsSurvived) {
+  PlaceBelief belief;
+  belief.labels = {"hall", "lab"};
+  belief.probabilities = {0.5};
+  state_.setBelief(belief);
+  EXPECT_EQ(state_.view().belief.size(), 1U);
+}
+
+TEST_F(PanelStateTest, EventsAreSaid) {
+  MapEvent event;
+  event.kind = MapEvent::CLOSED;
+  event.sentence = "a loop was closed";
+  state_.addEvent(event);
+  EXPECT_EQ(state_.view().note.text, "a loop was closed");
+  EXPECT_FALSE(state_.view().note.is_problem);
+  event.kind = MapEvent::LOST;
+  state_.addEvent(event);
+  EXPECT_TRUE(state_.view().note.is_problem);
+}
+
 }  // namespace
 }  // namespace place_memory::panel
