@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/map/kept_map.h"
 #include "core/random_room.h"
 #include "endurance/change_log.h"
 #include "place_memory/core/place_memory.h"
@@ -89,13 +90,17 @@ class Teller {
 /// Does one deed after the other to places that no other client touches, but for clear().
 class Client {
  public:
-  Client(PlaceMemory& memory, ChangeLog& log, unsigned number, unsigned seed)
-      : memory_(memory), log_(log), number_(number), random_(seed * 64 + number) {}
+  Client(PlaceMemory& memory, ChangeLog& log, unsigned number, const BusyMemory& busy)
+      : memory_(memory),
+        log_(log),
+        number_(number),
+        is_alone_(busy.clients == 1),
+        random_(busy.seed * 64 + number) {}
 
   void work() {
     for (;;) {
       const std::vector<std::string> own = ownLabels();
-      switch (random_() % 8) {
+      switch (random_() % 11) {
         case 0:
         case 1:
         case 2:
@@ -111,6 +116,15 @@ class Client {
           break;
         case 5:
           rename(own);
+          break;
+        case 6:
+          if (number_ == 0) relax();  // one robot drives
+          break;
+        case 7:
+          traverse();
+          break;
+        case 8:
+          if (is_alone_) undo();
           break;
         default:
           if (random_() % kDeedsBetweenClears == 0) {
@@ -171,6 +185,33 @@ class Client {
     attempt(Deed::kRemove, label, "", [&] { memory_.remove(label); });
   }
 
+  void relax() {
+    attempt(Deed::kRelax, "", "", [&] {
+      core::KeptMap map = memory_.drivenMap();
+      for (core::ScanNode& node : map.nodes) {
+        node.pose = core::Pose2d{0.01, -0.02, 0.003} * node.pose;
+      }
+      memory_.keep(map);
+    });
+  }
+
+  void traverse() {
+    const std::vector<core::PlaceLink> links = memory_.map().links;
+    if (links.empty()) return learn();
+    const core::PlaceLink& link = links[random_() % links.size()];
+    core::Traversal traversal;
+    traversal.from = link.second;
+    traversal.to = link.first;
+    traversal.begin = std::chrono::seconds(1000 + random_() % 1000);
+    traversal.end = traversal.begin + std::chrono::seconds(1 + random_() % 100);
+    traversal.succeeded = random_() % 3 != 0;
+    attempt(Deed::kTraverse, "", "", [&] { memory_.reportTraversal(traversal); });
+  }
+
+  void undo() {
+    attempt(Deed::kUndo, "", "", [&] { memory_.undo(); });
+  }
+
   void clear() {
     attempt(Deed::kClear, "", "", [&] { memory_.clear(); });
   }
@@ -189,13 +230,19 @@ class Client {
       call();
       said.what = What::kAnswered;
     } catch (const PlaceMemoryError& error) {
-      const bool was_cleared = error.reason() == PlaceMemoryError::Reason::kUnknownPlace ||
-                               error.reason() == PlaceMemoryError::Reason::kLabelTaken;
-      said.what = was_cleared ? What::kDeclined : What::kFailed;
+      said.what = isFair(error.reason()) ? What::kDeclined : What::kFailed;
       said.text = error.what();
     }
     log_.say(said);
     if (said.what == What::kFailed) _exit(1);
+  }
+
+  // As where somebody else cleared the map meanwhile.
+  static bool isFair(PlaceMemoryError::Reason reason) {
+    using Reason = PlaceMemoryError::Reason;
+    return reason == Reason::kUnknownPlace || reason == Reason::kLabelTaken ||
+           reason == Reason::kNothingToUndo || reason == Reason::kCannotUndo ||
+           reason == Reason::kUnknownLink;
   }
 
   const std::string& anyOf(const std::vector<std::string>& labels) {
@@ -205,6 +252,7 @@ class Client {
   PlaceMemory& memory_;
   ChangeLog& log_;
   const unsigned number_;
+  const bool is_alone_;
   std::mt19937 random_;
 };
 
@@ -228,7 +276,7 @@ void keepBusy(const BusyMemory& busy) {
     const Teller teller(memory, log);
     std::vector<std::thread> threads;
     for (unsigned client = 0; client < busy.clients; ++client) {
-      threads.emplace_back([&, client] { Client(memory, log, client, busy.seed).work(); });
+      threads.emplace_back([&, client] { Client(memory, log, client, busy).work(); });
     }
     for (std::thread& thread : threads) thread.join();
   } catch (const std::exception& error) {

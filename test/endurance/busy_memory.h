@@ -14,8 +14,9 @@ struct BusyMemory {
 };
 
 /// Opens the store, and has the clients learn, recognize (places adapt, and sessions join), rename,
-/// remove and clear, all at once and without an end, which has to come from outside. Ends by itself
-/// where something happens that must not. Everything is said in the log.
+/// remove, clear, relax and travel, all at once and without an end, which has to come from outside.
+/// One who is alone takes back changes, too. Ends by itself where something happens that must not.
+/// Everything is said in the log.
 [[noreturn]] void keepBusy(const BusyMemory& busy);
 
 }  // namespace place_memory

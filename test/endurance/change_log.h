@@ -10,7 +10,16 @@
 
 namespace place_memory {
 
-enum class Deed : std::uint8_t { kLearn, kRecognize, kRename, kRemove, kClear };
+enum class Deed : std::uint8_t {
+  kLearn,
+  kRecognize,
+  kRename,
+  kRemove,
+  kClear,
+  kRelax,     ///< every place is moved, as after a loop was closed on a drive
+  kTraverse,  ///< a link learns from it
+  kUndo,      ///< the newest change, of whoever made it
+};
 
 /// What somebody has to say who may be killed right after.
 struct Said {

@@ -68,7 +68,8 @@ void Ledger::acknowledge(const Said& said) {
   const bool is_there = is_cleared || (said.deed == Deed::kLearn && has(said.text)) ||
                         (said.deed == Deed::kRename && has(said.new_text)) ||
                         (said.deed == Deed::kRemove && !has(said.text)) ||
-                        said.deed == Deed::kRecognize;
+                        said.deed == Deed::kRecognize || said.deed == Deed::kRelax ||
+                        said.deed == Deed::kTraverse || said.deed == Deed::kUndo;
   if (!is_there) problems_.push_back("acknowledged, and not told: \"" + said.text + "\"");
 }
 
@@ -99,7 +100,11 @@ bool Ledger::explains(const Said& asked, const MapRecord& found) const {
       labels.clear();
       break;
     case Deed::kRecognize:
+    case Deed::kRelax:
+    case Deed::kTraverse:
       break;
+    case Deed::kUndo:
+      return true;  // what it takes back may be anything
   }
   return labels == now;
 }

@@ -17,6 +17,9 @@ void add(BytePacker& bytes, const core::Pose2d& pose) {
 
 void add(BytePacker& bytes, const core::LinkDirection& direction) {
   bytes.add(direction.succeeded).add(direction.failed).add(std::int64_t{direction.last.count()});
+  bytes.add(direction.through).add(direction.blocked).add(direction.time);
+  bytes.add(direction.time_sigma).add(direction.lost_time).add(direction.toll);
+  bytes.add(static_cast<std::uint8_t>(direction.forbidden));
 }
 
 void add(BytePacker& bytes, const core::Place& place) {
@@ -50,6 +53,11 @@ core::LinkDirection takeDirection(ByteUnpacker& bytes) {
   direction.succeeded = bytes.take<std::uint32_t>();
   direction.failed = bytes.take<std::uint32_t>();
   direction.last = std::chrono::nanoseconds(bytes.take<std::int64_t>());
+  for (double* number : {&direction.through, &direction.blocked, &direction.time,
+                         &direction.time_sigma, &direction.lost_time, &direction.toll}) {
+    *number = bytes.take<double>();
+  }
+  direction.forbidden = bytes.take<std::uint8_t>() != 0;
   return direction;
 }
 
