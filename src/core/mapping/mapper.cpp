@@ -30,7 +30,7 @@ Mapper::Mapper(const MapperOptions& options)
       newest_(graph_, shelf_, options.sonar, options.cell_size),
       closer_(graph_, shelf_, tying_),
       loops_(options.closure),
-      carried_(options.join),
+      carried_(options.carried),
       joins_(options.join),
       belief_(PlaceBeliefOptions{}) {}
 

@@ -39,6 +39,8 @@ struct MapperOptions {
   double doubled = 0.6;    ///< of two places nearer than this after a correction the newer goes [m]
   ClosureOptions closure;  ///< of loops
   ClosureOptions join{10, 7.0, 2.0, 15.0, 4.0, 5.0};    ///< of a session with the map
+  /// Of a robot that thinks to be on new ground, and is carried to where it was: rooms look alike.
+  ClosureOptions carried{16, 12.0, 3.0, 24.0, 5.0, 6.0};
   ClosureOptions relocate{2, 0.2, 0.0, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
   double cell_size = kDefaultCellSize;                  ///< [m]
   ThinningOptions thinning;

@@ -84,8 +84,12 @@ void Mapper::sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySe
     // What no way leads to may lie anywhere.
     const double off =
         ways.to(place) ? sigmasOff(graph_, ways.along(place), compass, seen.pose) : 0.0;
+    if (off > kFarthestSigmas) {
+      view.beyond.push_back(seen);
+      continue;
+    }
     seen.prior = -0.5 * std::max(0.0, off * off - kFreeSigmas * kFreeSigmas);
-    (off <= kFarthestSigmas ? view.loops : view.beyond).push_back(seen);
+    view.loops.push_back(seen);
   }
 }
 

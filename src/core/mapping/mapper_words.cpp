@@ -62,7 +62,7 @@ std::string Mapper::reasonOf(NodeIndex at, const View& view, const ScanDecision&
                        : "the scan is of no place of the map that is known by far";
       } else if (carried) {
         reason = "odometry cannot have brought the robot there, but " +
-                 evidence(*carried, options_.join);
+                 evidence(*carried, options_.carried);
       } else if (loop) {
         reason = "perhaps a loop closes: " + evidence(*loop, options_.closure);
       } else {

@@ -7,7 +7,7 @@
 namespace place_memory::core {
 namespace {
 
-constexpr double kNear = 1.5;          // [m]
+constexpr double kNear = 3.0;          // [m]
 constexpr std::size_t kFewest = 15;    // readings
 constexpr int kFewestCells = 12;       // that tell
 constexpr double kDisagrees = 0.35;
@@ -48,8 +48,9 @@ std::optional<double> agreement(const CellPlanes& seen, const CellPlanes& known)
 NewestReadings::Agreement NewestReadings::agree(NodeIndex node, std::size_t first) const {
   const auto& readings = graph_.node(node).readings;
   if (!readings) return {};
-  Agreement found{agree(node, first, readings->size()), false};
-  if (found.newest.value_or(1.0) >= kDisagrees) return found;
+  Agreement found{agree(node, first, readings->size()), false, false};
+  found.disagrees = found.newest.value_or(1.0) < kDisagrees;
+  if (!found.disagrees) return found;
   // Where things were moved, halves differ less than where the robot was.
   found.contradicts = *found.newest < kSurelyDisagrees ||
                       agree(node, 0, first).value_or(0.0) - *found.newest > kHalvesDiffer;
