@@ -185,6 +185,7 @@ void Mapper::name(NodeIndex at, const View& view, ScanDecision& decision) const 
                                                      : ScanDecision::Kind::kCandidate;
     return;
   }
+  if (view.tracked && view.agreement.disagrees) return;
   if (decision.kind == ScanDecision::Kind::kBetween && inDoubt(view)) {
     if (!loops_.empty() || !carried_.empty()) decision.kind = ScanDecision::Kind::kCandidate;
     if (lost() > 0.5) decision.kind = ScanDecision::Kind::kLost;

@@ -46,7 +46,7 @@ void Mapper::lookForOwnSession(NodeIndex at, View& view) {
   WaySearch ways(graph_, at, kFarthestWay);
   // A scan that was begun where the robot was carried from still looks like there.
   if (!view.agreement.contradicts) {
-    view.tracked = tying_.track(at, view.laid, fits, ways, closer_.onTrial());
+    view.tracked = tying_.track(at, view.laid, fits, ways, view.agreement.disagrees, closer_.onTrial());
   }
   view.best = fits.empty() ? 0.0 : fits.front().probability;
   sortOut(tying_.sightings(view.tracked ? fits : recognizeAnyhow(*own, view.laid, fits), view.laid),
@@ -55,8 +55,6 @@ void Mapper::lookForOwnSession(NodeIndex at, View& view) {
 
 Mapper::View Mapper::look(NodeIndex at, const MovingScan& scan) {
   View view{tying_.lay(at, graph_.node(at).pose)};
-  view.readings = scan.readings->size();
-  view.enough = scan.enough;
   view.at_place = placeNear(session_)(view.laid.map_from_base);
   view.agreement = newest_.agree(at, scan.first_newest);
   lookForOwnSession(at, view);

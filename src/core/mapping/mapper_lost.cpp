@@ -67,9 +67,6 @@ BeliefSummary Mapper::belief() const {
 
 ScanWitness Mapper::witnessOf(const View& view) const {
   if (view.tracked) return ScanWitness::kAgrees;
-  // That the robot is elsewhere would be a loop to close.
-  const double untied = reckoning_.way() - anchored_way_;
-  if (untied >= kSurelyAnchored || graph_.ties().empty()) return ScanWitness::kSilent;
   const ClosureCandidate* carried = carried_.foremost();
   const bool again = carried && carried->witnesses.size() >= 2 &&
                      carried->witnesses.back().node + 1 == graph_.nodes().size();
@@ -78,6 +75,9 @@ ScanWitness Mapper::witnessOf(const View& view) const {
   if (again || sure) {
     return view.at_place || disagrees ? ScanWitness::kElsewhere : ScanWitness::kDoubts;
   }
+  // After a long way it would be a loop to close.
+  const double untied = reckoning_.way() - anchored_way_;
+  if (untied >= kSurelyAnchored || graph_.ties().empty()) return ScanWitness::kSilent;
   if (disagrees) return ScanWitness::kContradicts;
   return view.at_place ? ScanWitness::kMisses : ScanWitness::kSilent;
 }

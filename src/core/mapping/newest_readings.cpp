@@ -7,7 +7,7 @@
 namespace place_memory::core {
 namespace {
 
-constexpr double kNear = 3.0;          // [m]
+constexpr double kNear = 1.5;          // [m]
 constexpr std::size_t kFewest = 15;    // readings
 constexpr int kFewestCells = 12;       // that tell
 constexpr double kDisagrees = 0.35;
@@ -61,8 +61,8 @@ std::optional<double> NewestReadings::agree(NodeIndex node, std::size_t first,
                                             std::size_t last) const {
   const ScanNode& scan = graph_.node(node);
   if (last < first + kFewest) return std::nullopt;
-  const Pose2d ahead = scan.pose * (*scan.readings)[last - 1].sensor_pose;
-  const auto near = shelf_.near(ahead, scan.session, kNear, true);
+  const Pose2d middle = scan.pose * (*scan.readings)[(first + last) / 2].sensor_pose;
+  const auto near = shelf_.near(middle, scan.session, kNear, true);
   if (near.empty()) return std::nullopt;
   const ScanNode& place = graph_.node(shelf_.nodeOf(near.front().id));
   const Pose2d map_from_grid = place.pose * Pose2d{0.0, 0.0, -place.laid_yaw};
