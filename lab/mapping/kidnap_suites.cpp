@@ -15,7 +15,7 @@ namespace {
 using core::Pose2d;
 using experiments::fixed;
 
-constexpr double kBetweenLosses = 60.0;  // way [m]
+constexpr double kBetweenLosses = 40.0;  // way [m]
 constexpr double kGiveUp = 10.0;         // [m]
 constexpr int kStarts = 200;
 
@@ -63,7 +63,8 @@ Start startAt(core::Mapper& mapper, const trials::Drive& moments, DrivePart part
 trials::Drive carriedDrive(const SuiteOptions& options, const std::string& world,
                            std::uint64_t seed) {
   trials::DriveRecipe recipe = recipeOf(options);
-  for (double at = kBetweenLosses; at < recipe.way - 20.0; at += kBetweenLosses) {
+  // Not before it knows the building.
+  for (double at = 0.5 * recipe.way; at < recipe.way - 20.0; at += kBetweenLosses) {
     recipe.carried.push_back(at);
   }
   return trials::simulateDrive(mappingWorld(world, seed, options.worlds), {}, recipe, seed);

@@ -114,9 +114,11 @@ class Equations {
     return step.allFinite();
   }
 
-  /// Sigmas of the errors by the newest solution's matrix; nothing where they are no unknowns.
+  /// Sigmas of the errors by the newest matrix; nothing where they are no unknowns. Not damped:
+  /// that would hold the poses, and with them the errors.
   std::optional<OdometryErrors> errorSigmas() {
-    if (errors_ == kHeld || !analyzed_) return std::nullopt;
+    Eigen::VectorXd step;
+    if (errors_ == kHeld || !solve(0.0, step)) return std::nullopt;
     OdometryErrors sigmas;
     for (const std::ptrdiff_t k : {0, 1}) {
       Eigen::VectorXd unit = Eigen::VectorXd::Zero(size_);

@@ -105,7 +105,9 @@ const ClosureCandidate* ClosureCandidates::accepted() const {
   const double spread = best.witnesses.back().way - best.witnesses.front().way;
   if (best.witnesses.size() < options_.witnesses || spread < wanted) return nullptr;
   if (best.weight() < options_.score) return nullptr;
-  if (3 * static_cast<std::size_t>(best.misses) > best.witnesses.size()) return nullptr;
+  if (options_.misses * static_cast<std::size_t>(best.misses) > best.witnesses.size()) {
+    return nullptr;
+  }
   if (candidates_.size() > 1 && candidates_[1].weight() > best.weight() - options_.margin) {
     return nullptr;
   }

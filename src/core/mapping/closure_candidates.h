@@ -18,6 +18,7 @@ struct ClosureOptions {
   double score = 5.0;         ///< sum of their softened log likelihood ratios and the prior
   double margin = 2.5;        ///< of the score over that of any other candidate
   double give_up = 4.0;       ///< way without a witness after which a candidate is dropped [m]
+  std::size_t misses = 3;     ///< of so many scans one that should agree may fail to
 };
 
 /// Where one place of the target puts a scan.

@@ -7,7 +7,7 @@ namespace place_memory::core {
 namespace {
 
 constexpr double kLeast = 1e-3;
-constexpr LostModel kFitted{0.001, {0.1, 1.0, 4.0, 8.0, 3.0, 10.0}};
+constexpr LostModel kFitted{0.001, {0.1, 1.0, 3.2, 5.0, 1.5, 10.0}};
 
 }  // namespace
 

@@ -30,7 +30,7 @@ Mapper::Mapper(const MapperOptions& options)
       newest_(graph_, shelf_, options.sonar, options.cell_size),
       closer_(graph_, shelf_, tying_),
       loops_(options.closure),
-      carried_(options.join),
+      carried_(options.carried),
       joins_(options.join),
       belief_(PlaceBeliefOptions{}) {}
 
@@ -181,6 +181,7 @@ void Mapper::name(NodeIndex at, const View& view, ScanDecision& decision) const 
                                                      : ScanDecision::Kind::kCandidate;
     return;
   }
+  if (view.tracked && view.agreement.disagrees) return;
   if (decision.kind == ScanDecision::Kind::kBetween && inDoubt(view)) {
     if (!loops_.empty() || !carried_.empty()) decision.kind = ScanDecision::Kind::kCandidate;
     if (lost() > 0.5) decision.kind = ScanDecision::Kind::kLost;

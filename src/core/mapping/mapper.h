@@ -40,7 +40,9 @@ struct MapperOptions {
   double spacing = 1.3;    ///< least distance of a new place from all others [m]
   double doubled = 0.6;    ///< of two places nearer than this after a correction the newer goes [m]
   ClosureOptions closure;  ///< of loops
-  ClosureOptions join{10, 7.0, 2.0, 15.0, 4.0, 5.0};    ///< of a session with the map
+  ClosureOptions join{10, 7.0, 2.0, 20.0, 4.0, 6.0, 5};  ///< of a session with the map
+  /// Of a robot that thinks to be on new ground, and is carried to where it was: rooms look alike.
+  ClosureOptions carried{12, 8.0, 2.0, 24.0, 5.0, 6.0, 5};
   ClosureOptions relocate{2, 0.2, 0.0, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
   double cell_size = kDefaultCellSize;                  ///< [m]
   ThinningOptions thinning;
@@ -181,8 +183,6 @@ class Mapper {
   /// What one scan showed.
   struct View {
     LaidScan laid;
-    std::size_t readings = 0;
-    bool enough = true;                     ///< readings
     bool at_place = false;                  ///< one is near where the robot thinks it is
     NewestReadings::Agreement agreement{};  ///< with the place that should be there
     bool tracked = false;
@@ -215,6 +215,7 @@ class Mapper {
   void tidy();
   void makePlaces();
   ScanDecision lateDecision(NodeIndex at) const;
+  std::string tooFast(NodeIndex at) const;
   void thinOut();
   void remember(const std::vector<ScanNode>& before,
                 const std::vector<std::optional<NodeIndex>>& now);

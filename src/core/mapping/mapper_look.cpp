@@ -46,7 +46,7 @@ void Mapper::lookForOwnSession(NodeIndex at, View& view) {
   WaySearch ways(graph_, at, kFarthestWay);
   // A scan that was begun where the robot was carried from still looks like there.
   if (!view.agreement.contradicts) {
-    view.tracked = tying_.track(at, view.laid, fits, ways, closer_.onTrial());
+    view.tracked = tying_.track(at, view.laid, fits, ways, view.agreement.disagrees, closer_.onTrial());
   }
   view.best = fits.empty() ? 0.0 : fits.front().probability;
   sortOut(tying_.sightings(view.tracked ? fits : recognizeAnyhow(*own, view.laid, fits), view.laid),
@@ -55,8 +55,6 @@ void Mapper::lookForOwnSession(NodeIndex at, View& view) {
 
 Mapper::View Mapper::look(NodeIndex at, const MovingScan& scan) {
   View view{tying_.lay(at, graph_.node(at).pose)};
-  view.readings = scan.readings->size();
-  view.enough = scan.enough;
   view.at_place = placeNear(session_)(view.laid.map_from_base);
   view.agreement = newest_.agree(at, scan.first_newest);
   lookForOwnSession(at, view);
@@ -84,8 +82,12 @@ void Mapper::sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySe
     // What no way leads to may lie anywhere.
     const double off =
         ways.to(place) ? sigmasOff(graph_, ways.along(place), compass, seen.pose) : 0.0;
+    if (off > kFarthestSigmas) {
+      view.beyond.push_back(seen);
+      continue;
+    }
     seen.prior = -0.5 * std::max(0.0, off * off - kFreeSigmas * kFreeSigmas);
-    (off <= kFarthestSigmas ? view.loops : view.beyond).push_back(seen);
+    view.loops.push_back(seen);
   }
 }
 

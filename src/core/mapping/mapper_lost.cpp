@@ -13,6 +13,7 @@ constexpr double kSurelyElsewhere = 0.82;  ///< probability of another place
 constexpr double kSurelyLost = 0.98;
 constexpr double kDeviates = 0.45;     ///< of the compass, so that any heading is looked at [rad]
 constexpr double kDoubtful = 0.2;      ///< P(lost) from which no place is named
+constexpr double kJustTied = 3.6;      ///< way driven since the middle of a scan of late [m]
 constexpr NodeIndex kNodesBefore = 8;  ///< a scan's stretch and more
 constexpr NodeIndex kLongPart = 16;    ///< that is a way of its own
 constexpr double kRegion = 1.0;        ///< of a place, for the belief [m]
@@ -66,17 +67,17 @@ BeliefSummary Mapper::belief() const {
 
 ScanWitness Mapper::witnessOf(const View& view) const {
   if (view.tracked) return ScanWitness::kAgrees;
-  // That the robot is elsewhere would be a loop to close.
-  const double untied = reckoning_.way() - anchored_way_;
-  if (untied >= kSurelyAnchored || graph_.ties().empty()) return ScanWitness::kSilent;
   const ClosureCandidate* carried = carried_.foremost();
   const bool again = carried && carried->witnesses.size() >= 2 &&
                      carried->witnesses.back().node + 1 == graph_.nodes().size();
   const bool sure = !view.beyond.empty() && view.beyond.front().probability >= kSurelyElsewhere;
-  const bool disagrees = view.agreement.contradicts;
+  const bool disagrees = view.agreement.disagrees;
   if (again || sure) {
     return view.at_place || disagrees ? ScanWitness::kElsewhere : ScanWitness::kDoubts;
   }
+  // After a long way it would be a loop to close.
+  const double untied = reckoning_.way() - anchored_way_;
+  if (untied >= kSurelyAnchored || graph_.ties().empty()) return ScanWitness::kSilent;
   if (disagrees) return ScanWitness::kContradicts;
   return view.at_place ? ScanWitness::kMisses : ScanWitness::kSilent;
 }
@@ -91,7 +92,8 @@ void Mapper::judgeLost(NodeIndex at, const View& view, ScanDecision& decision) {
 
 bool Mapper::inDoubt(const View& view) const {
   const bool agrees = view.agreement.newest.value_or(0.0) >= kAgrees;
-  return lost_.probability() > kDoubtful || !agrees;
+  const bool just_tied = reckoning_.way() - anchored_way_ <= kJustTied;
+  return lost_.probability() > kDoubtful || !agrees || !just_tied;
 }
 
 /// What was driven since the last tie lies nobody knows where; but of a long way most was driven

@@ -166,17 +166,6 @@ void Mapper::restore(const KeptMap& map) {
   beginSession();
 }
 
-/// Of a scan that was told as something else before.
-ScanDecision Mapper::lateDecision(NodeIndex at) const {
-  ScanDecision decision;
-  decision.stamp = graph_.node(at).stamp;
-  decision.kind = ScanDecision::Kind::kNewPlace;
-  decision.place = graph_.node(at).place;
-  decision.lost = lost();
-  decision.reason = "no place was near, once it was clear which loops close";
-  return decision;
-}
-
 void Mapper::makePlaces() {
   const auto pending = [](const ClosureCandidates& candidates) {
     const ClosureCandidate* best = candidates.foremost();

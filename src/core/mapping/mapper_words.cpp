@@ -62,7 +62,7 @@ std::string Mapper::reasonOf(NodeIndex at, const View& view, const ScanDecision&
                        : "the scan is of no place of the map that is known by far";
       } else if (carried) {
         reason = "odometry cannot have brought the robot there, but " +
-                 evidence(*carried, options_.join);
+                 evidence(*carried, options_.carried);
       } else if (loop) {
         reason = "perhaps a loop closes: " + evidence(*loop, options_.closure);
       } else {
@@ -83,12 +83,25 @@ std::string Mapper::reasonOf(NodeIndex at, const View& view, const ScanDecision&
       }
       break;
   }
-  if (!view.enough) {
-    reason += "; only " + std::to_string(view.readings) + " of " +
-              std::to_string(options_.scan.readings) + " readings on the longest stretch of " +
-              fixed(options_.scan.longest, 1) + " m: it drives too fast for its sensors";
-  }
-  return reason;
+  return reason + tooFast(at);
+}
+
+std::string Mapper::tooFast(NodeIndex at) const {
+  const std::size_t readings = graph_.node(at).readings->size();
+  if (readings >= options_.scan.readings) return "";
+  return "; only " + std::to_string(readings) + " of " + std::to_string(options_.scan.readings) +
+         " readings on the longest stretch of " + fixed(options_.scan.longest, 1) +
+         " m: it drives too fast for its sensors";
+}
+
+ScanDecision Mapper::lateDecision(NodeIndex at) const {
+  ScanDecision decision;
+  decision.stamp = graph_.node(at).stamp;
+  decision.kind = ScanDecision::Kind::kNewPlace;
+  decision.place = graph_.node(at).place;
+  decision.lost = lost();
+  decision.reason = "no place was near, once it was clear which loops close" + tooFast(at);
+  return decision;
 }
 
 }  // namespace place_memory::core

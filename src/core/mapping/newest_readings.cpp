@@ -48,8 +48,9 @@ std::optional<double> agreement(const CellPlanes& seen, const CellPlanes& known)
 NewestReadings::Agreement NewestReadings::agree(NodeIndex node, std::size_t first) const {
   const auto& readings = graph_.node(node).readings;
   if (!readings) return {};
-  Agreement found{agree(node, first, readings->size()), false};
-  if (found.newest.value_or(1.0) >= kDisagrees) return found;
+  Agreement found{agree(node, first, readings->size()), false, false};
+  found.disagrees = found.newest.value_or(1.0) < kDisagrees;
+  if (!found.disagrees) return found;
   // Where things were moved, halves differ less than where the robot was.
   found.contradicts = *found.newest < kSurelyDisagrees ||
                       agree(node, 0, first).value_or(0.0) - *found.newest > kHalvesDiffer;
@@ -60,8 +61,8 @@ std::optional<double> NewestReadings::agree(NodeIndex node, std::size_t first,
                                             std::size_t last) const {
   const ScanNode& scan = graph_.node(node);
   if (last < first + kFewest) return std::nullopt;
-  const Pose2d ahead = scan.pose * (*scan.readings)[last - 1].sensor_pose;
-  const auto near = shelf_.near(ahead, scan.session, kNear, true);
+  const Pose2d middle = scan.pose * (*scan.readings)[(first + last) / 2].sensor_pose;
+  const auto near = shelf_.near(middle, scan.session, kNear, true);
   if (near.empty()) return std::nullopt;
   const ScanNode& place = graph_.node(shelf_.nodeOf(near.front().id));
   const Pose2d map_from_grid = place.pose * Pose2d{0.0, 0.0, -place.laid_yaw};

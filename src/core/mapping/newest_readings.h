@@ -27,6 +27,7 @@ class NewestReadings {
 
   struct Agreement {
     std::optional<double> newest;  ///< nothing where no ripe place is near, or too little is known
+    bool disagrees = false;        ///< that is little
     bool contradicts = false;      ///< by far less than the older ones: it is elsewhere now
   };
   /// Agreement of a node's readings, the newest ones from `first` on, with the ripe place nearest

@@ -73,7 +73,7 @@ std::vector<Sighting> ScanTying::sightings(const std::vector<PlaceFit>& fits,
 }
 
 bool ScanTying::track(NodeIndex node, const LaidScan& scan, const std::vector<PlaceFit>& fits,
-                      WaySearch& ways, int closure) {
+                      WaySearch& ways, bool near_only, int closure) {
   const Pose2d& estimate = scan.map_from_base;
   const bool compass = graph_.node(node).compass.has_value();
   const auto sigmaTo = [&](PlaceId id) {
@@ -84,7 +84,7 @@ bool ScanTying::track(NodeIndex node, const LaidScan& scan, const std::vector<Pl
     const double off = std::hypot(sighting.pose.x - estimate.x, sighting.pose.y - estimate.y);
     const double turn = std::abs(wrapAngle(sighting.pose.yaw - estimate.yaw));
     const bool close = off <= 0.5 && turn <= 8.0 * kDegree && sighting.probability >= 0.3;
-    const bool sure = off <= 1.0 && turn <= 15.0 * kDegree && sighting.probability >= 0.82;
+    const bool sure = !near_only && off <= 1.0 && turn <= 15.0 * kDegree && sighting.probability >= 0.82;
     return (close || sure) && off <= 0.3 + 3.0 * sigmaTo(sighting.place);
   });
   if (!there) return false;

@@ -61,7 +61,7 @@ TEST(MapperDecisions, ARobotTooFastForItsSensorsIsToldSo) {
 TEST(MapperDecisions, LoopsShowHowTheWheelsBend) {
   trials::DriveRecipe bent = recipe(150.0);
   bent.scale_sigma = bent.turn_factor_sigma = 0.0;
-  bent.bend_sigma = 2.0 * core::kPi / 180.0;
+  bent.bend_sigma = 1.2 * core::kPi / 180.0;
   const trials::Drive moments = trials::simulateDrive(office(), {}, bent, 6);
   double measured = 0.0, turned = 0.0;
   for (std::size_t i = 1; i < moments.size(); ++i) {
