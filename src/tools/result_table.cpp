@@ -32,6 +32,12 @@ std::string toString(core::PlaceMemoryError::Reason reason) {
       return "no_echo";
     case Reason::kDoubtfulScan:
       return "doubtful_scan";
+    case Reason::kUnknownLink:
+    case Reason::kInvalidTraversal:
+    case Reason::kOtherStore:
+    case Reason::kNothingToUndo:
+    case Reason::kCannotUndo:
+      break;  // of what no event asks for
   }
   return {};
 }
