@@ -146,7 +146,8 @@ class LiveDriveTest(unittest.TestCase):
         places = self.node.call("list_places").places
         self.assertGreater(len(places), 6)
         self.assertGreaterEqual(self.kinds().count(MapEvent.NEW_PLACE), len(places))
-        self.assertGreaterEqual(len(self.node.call("get_graph").graph.links), len(places) - 2)
+        # Also between its ends, which no place was made on the way of.
+        self.assertGreaterEqual(len(self.node.call("get_graph").graph.links), len(places))
         self.assertLess(self.error(first, first), 0.3)
         self.assertTrue(self.transforms)
         self.assertEqual(self.transforms[-1].child_frame_id, "odom")

@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "core/map/place_identity.h"
-#include "core/memory/link_pose.h"
+#include "core/memory/place_travels.h"
+#include "core/memory/travelled_links.h"
 #include "core/sensing/moved_readings.h"
 
 namespace place_memory::core {
@@ -123,26 +124,6 @@ PlaceAdded DrivenPlaces::added(const ScanNode& node, const PlaceMap& map) const 
   return edit;
 }
 
-std::optional<PlaceLink> DrivenPlaces::linkOf(const ScanNode& node, const KeptMap& drive,
-                                              const PlaceMap& map) {
-  Pose2d from_node = node.motion;  // of the robot, from where it stood before
-  std::optional<NodeIndex> before = node.before;
-  while (before && drive.nodes[*before].place == kNoPlace) {
-    from_node = drive.nodes[*before].motion * from_node;
-    before = drive.nodes[*before].before;
-  }
-  if (!before) return std::nullopt;
-  const ScanNode& previous = drive.nodes[*before];
-  const Stand there{previous.place, placeFromRobot(previous, map).inverse(), {}};
-  const Stand here{node.place, from_node * placeFromRobot(node, map).inverse(), {}};
-  if (there.place < here.place) {
-    return linkTo(here.place, here.odom_from_place, there, true, node.stamp);
-  }
-  PlaceLink link = linkTo(there.place, there.odom_from_place, here, true, node.stamp);
-  std::swap(link.forward, link.backward);
-  return link;
-}
-
 std::vector<MapEdit> DrivenPlaces::edits(const PlaceMap& map, const KeptMap& drive, PlaceId next_id,
                                          bool only_new) const {
   std::vector<MapEdit> edits;
@@ -166,12 +147,15 @@ std::vector<MapEdit> DrivenPlaces::edits(const PlaceMap& map, const KeptMap& dri
     }
     there.insert(id);
   }
-  for (const auto& [id, node] : places) {
-    if (map.find(id) != nullptr || there.count(id) == 0) continue;
-    const auto link = linkOf(*node, drive, map);
-    if (!link || there.count(link->first) == 0 || there.count(link->second) == 0) continue;
-    edits.emplace_back(LinkAdded{*link});
+  const auto is_new = [&map](PlaceId id) { return map.find(id) == nullptr; };
+  TravelledLinks links(map);
+  for (const PlaceTravel& travel : travelsOf(drive)) {
+    if (there.count(travel.from) == 0 || there.count(travel.to) == 0) continue;
+    if (only_new && !is_new(travel.from) && !is_new(travel.to)) continue;
+    links.add(travel, placeFromRobot(*places.at(travel.from), map),
+              placeFromRobot(*places.at(travel.to), map));
   }
+  links.appendTo(edits);
   return edits;
 }
 

@@ -1,7 +1,6 @@
 #ifndef PLACE_MEMORY_CORE_MEMORY_DRIVEN_PLACES_H
 #define PLACE_MEMORY_CORE_MEMORY_DRIVEN_PLACES_H
 
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -25,7 +24,8 @@ class DrivenPlaces {
 
   /// The edits by which the map of places becomes what the drive has made of it. Ids below
   /// `next_id` were given before: a place with such a one that is not in the map was removed by
-  /// somebody else, and stays so. `only_new`: of all edits those that add a place.
+  /// somebody else, and stays so. Places between which the robot went are linked. `only_new`: of
+  /// all edits those that add a place, and link it.
   std::vector<MapEdit> edits(const PlaceMap& map, const KeptMap& drive, PlaceId next_id,
                              bool only_new) const;
   /// Those edits were made.
@@ -34,9 +34,6 @@ class DrivenPlaces {
  private:
   ScanNode nodeOf(const Place& place, const PlaceStore& store) const;
   PlaceAdded added(const ScanNode& node, const PlaceMap& map) const;
-  /// The way by which the robot came to a place from the one before, as odometry measured it.
-  static std::optional<PlaceLink> linkOf(const ScanNode& node, const KeptMap& drive,
-                                         const PlaceMap& map);
 
   GridGeometry geometry_;
   SonarModel sonar_;

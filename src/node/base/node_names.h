@@ -27,6 +27,7 @@ constexpr char kCurrentPlaceTopic[] = "current_place";
 constexpr char kPoseTopic[] = "pose";
 constexpr char kModeTopic[] = "mode";
 constexpr char kBeliefTopic[] = "belief";
+constexpr char kBeliefMarkersTopic[] = "belief_markers";
 constexpr char kEventsTopic[] = "events";
 
 constexpr char kLearnPlaceService[] = "learn_place";

@@ -3,9 +3,13 @@
 #include <place_memory/MapEvent.h>
 #include <ros/console.h>
 #include <std_msgs/String.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <vector>
 
 #include "node/base/conversions.h"
 #include "node/base/node_names.h"
+#include "node/drive/belief_markers.h"
 
 namespace place_memory::node {
 namespace {
@@ -33,6 +37,7 @@ DrivePublisher::DrivePublisher(const ros::NodeHandle& names, const ros::NodeHand
   ros::NodeHandle relative(names), own(private_names);
   mode_ = own.advertise<std_msgs::String>(kModeTopic, 1, true);
   belief_ = own.advertise<PlaceBelief>(kBeliefTopic, 1, true);
+  belief_markers_ = own.advertise<visualization_msgs::MarkerArray>(kBeliefMarkersTopic, 1, true);
   events_ = own.advertise<MapEvent>(kEventsTopic, kEvents);
   if (parameters_.drive.initialpose) {
     initialpose_ =
@@ -59,9 +64,19 @@ void DrivePublisher::publish(const DriveEvent& event) const {
 }
 
 void DrivePublisher::publish(const MapDriver::Step& step) const {
-  if (step.belief) belief_.publish(toMessage(*step.belief, step.scan_stamp));
+  if (step.belief) publish(toMessage(*step.belief, step.scan_stamp));
   if (!parameters_.drive.initialpose || !step.became_known) return;
   if (const auto pose = poseOf(step)) initialpose_.publish(*pose);
+}
+
+void DrivePublisher::publish(const PlaceBelief& belief) const {
+  belief_.publish(belief);
+  std::vector<geometry_msgs::Pose2D> locations;
+  for (const core::PlaceId id : belief.ids) {
+    const auto place = memory_.place(id);
+    locations.push_back(toPose2D(place ? place->map_from_place : core::Pose2d()));
+  }
+  belief_markers_.publish(toMarkers(belief, locations));
 }
 
 PlaceBelief DrivePublisher::toMessage(const core::BeliefSummary& belief,

@@ -18,7 +18,7 @@ namespace place_memory::node {
 /// "off", "map" or "localize".
 const char* nameOf(config::Mode mode);
 
-/// Publishes what a drive tells: ~mode and ~belief, latched, ~events, and where
+/// Publishes what a drive tells: ~mode, ~belief and ~belief_markers, latched, ~events, and where
 /// drive/initialpose asks for it, initialpose. Thread-safe.
 class DrivePublisher {
  public:
@@ -35,10 +35,13 @@ class DrivePublisher {
   std::optional<geometry_msgs::PoseWithCovarianceStamped> poseOf(const MapDriver::Step& step) const;
 
  private:
+  void publish(const PlaceBelief& belief) const;
+
   const core::PlaceMemory& memory_;
   const config::Parameters& parameters_;
   ros::Publisher mode_;
   ros::Publisher belief_;
+  ros::Publisher belief_markers_;
   ros::Publisher events_;
   ros::Publisher initialpose_;
 };

@@ -95,6 +95,71 @@ TEST_F(DrivenPlacesTest, ANewPlaceIsLinkedToTheOneThatTheRobotCameFrom) {
   EXPECT_EQ(link->backward.succeeded, 0U);
 }
 
+TEST_F(DrivenPlacesTest, KnownPlacesAreLinkedOnceTheRobotGoesFromOneToTheOther) {
+  keepTwo();
+  PlaceMemory memory(options());
+  KeptMap map = memory.drivenMap();
+  // From place 2 to a scan that was matched to place 1, half a metre before it, and back.
+  ScanNode visit = makeNode(kNoPlace, {1.0, 1.5, 0.0});
+  visit.stamp = std::chrono::nanoseconds(2000);
+  visit.before = 2;
+  visit.motion = {2.0, 0.0, 0.0};
+  map.nodes.push_back(visit);
+  ScanNode back = makeNode(kNoPlace, {3.0, 2.0, 0.0});
+  back.stamp = std::chrono::nanoseconds(3000);
+  back.before = 3;
+  map.nodes.push_back(back);
+  Tie tie;
+  tie.information.setIdentity();
+  tie.place = 0;
+  tie.node = 3;
+  tie.relative = {-0.5, 0.0, 0.0};
+  map.ties.push_back(tie);
+  tie.place = 2;
+  tie.node = 4;
+  tie.relative = {};
+  map.ties.push_back(tie);
+  memory.keep(map);
+  ASSERT_EQ(memory.map().links.size(), 1U);
+  EXPECT_EQ(memory.map().links[0].forward.succeeded, 2U);
+  EXPECT_EQ(memory.map().links[0].backward.succeeded, 1U);
+  EXPECT_EQ(memory.map().links[0].backward.last.count(), 2000);
+  // Each counts once.
+  const std::uint64_t version = memory.version();
+  memory.keep(map);
+  EXPECT_EQ(memory.version(), version);
+}
+
+TEST_F(DrivenPlacesTest, ALoopThatClosesLinksItsEnds) {
+  KeptMap map;
+  for (int i = 0; i < 3; ++i) {
+    map.nodes.push_back(makeNode(i + 1, {2.0 * i, 0.0, 0.0}));
+    if (i > 0) map.nodes.back().before = i - 1;
+    map.nodes.back().motion = {2.0, 0.0, 0.0};
+  }
+  ScanNode visit = makeNode(kNoPlace, {0.0, 0.0, 0.0});
+  visit.stamp = std::chrono::nanoseconds(2000);
+  visit.before = 2;
+  visit.motion = {-3.5, 0.0, 0.0};
+  map.nodes.push_back(visit);
+  PlaceMemory memory(options());
+  memory.keep(map);
+  EXPECT_EQ(memory.map().links.size(), 2U);
+  Tie tie;
+  tie.information.setIdentity();
+  tie.place = 0;
+  tie.node = 3;
+  tie.relative = {0.5, 0.0, 0.0};
+  map.ties.push_back(tie);
+  memory.keep(map);
+  const MapSnapshot kept = memory.map();
+  ASSERT_EQ(kept.links.size(), 3U);
+  EXPECT_EQ(kept.links[1].first, 1);
+  EXPECT_EQ(kept.links[1].second, 3);
+  EXPECT_NEAR(kept.links[1].first_from_second.x, 4.0, 1e-9);
+  EXPECT_EQ(kept.links[1].backward.succeeded, 1U);
+}
+
 TEST_F(DrivenPlacesTest, IsTakenUpAsItWasKept) {
   keepTwo();
   const KeptMap map = PlaceMemory(options()).drivenMap();
