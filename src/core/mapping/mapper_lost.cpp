@@ -87,7 +87,9 @@ void Mapper::judgeLost(NodeIndex at, const View& view, ScanDecision& decision) {
   if (!node.before || session_ != kMapSession || node.session != kMapSession) return;
   decision.witness = witnessOf(view);
   lost_.update(decision.witness, node.last_way - graph_.node(*node.before).last_way);
-  if (lost_.probability() > kSurelyLost) partWays();
+  const bool here = decision.witness != ScanWitness::kSilent &&
+                    decision.witness != ScanWitness::kDoubts;
+  if (here && lost_.probability() > kSurelyLost) partWays();
 }
 
 bool Mapper::inDoubt(const View& view) const {
