@@ -88,6 +88,7 @@ sim::World mappingWorld(const std::string& name, std::uint64_t seed, const std::
   if (name == "cells") return alikeCells(6, seed);
   const auto kind = kKinds.find(name);
   if (kind != kKinds.end()) return sim::generateBuilding(kind->second, seed);
+  if (name.find(".yaml") != std::string::npos) return sim::loadWorld(name);
   return sim::loadWorld(worlds + "/" + name + ".yaml");
 }
 

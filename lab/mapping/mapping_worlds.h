@@ -16,7 +16,7 @@ sim::World halfTurnRoom();
 sim::World alikeCells(int cells, std::uint64_t seed);
 
 /// By its name: "half_turn", "cells", "corridor", "open_plan", "laboratory", "home", made by the
-/// seed, or a file of the folder `worlds` without its ending. Throws sim::WorldError where there is
+/// seed, a world file's path, or a file of the folder `worlds` without its ending. Throws sim::WorldError where there is
 /// none such.
 sim::World mappingWorld(const std::string& name, std::uint64_t seed, const std::string& worlds);
 

@@ -58,8 +58,8 @@ int main(int argc, char** argv) {
         "people", po::value<int>()->default_value(2), "who walk about")(
         "start", po::value<std::size_t>()->default_value(0), "number of the place to start at")(
         "sonars", po::value<int>()->default_value(16), "of the ring of 16: 16, 8, 4")(
-        "scale-sigma", po::value<double>()->default_value(0.05), "of odometry's distances")(
-        "yaw-noise", po::value<double>()->default_value(0.0524),
+        "scale-sigma", po::value<double>()->default_value(0.02), "of odometry's distances")(
+        "yaw-noise", po::value<double>()->default_value(0.0262),
         "of odometry [rad by the root of the way in m]")("carried", po::value<std::vector<double>>()->multitoken(),
         "ways at which it is carried elsewhere, rising [m]")("ahead", "the forward nine of them alone")("unchanged", "nothing changes half way");
     po::variables_map given;

@@ -101,9 +101,13 @@ void ClosureCandidates::dropForemost() {
 const ClosureCandidate* ClosureCandidates::accepted() const {
   if (candidates_.empty()) return nullptr;
   const ClosureCandidate& best = candidates_.front();
-  const double wanted = std::max(options_.spread, options_.stretches * stretch_);
+  // Rooms that look alike do so in every scan: more scans of one do not make up for odometry, other
+  // rooms that go on agreeing do.
+  const double more = -best.prior;
+  const double wanted = std::max(options_.spread, options_.stretches * stretch_) + more;
   const double spread = best.witnesses.back().way - best.witnesses.front().way;
-  if (best.witnesses.size() < options_.witnesses || spread < wanted) return nullptr;
+  const auto witnesses = static_cast<double>(best.witnesses.size());
+  if (witnesses < static_cast<double>(options_.witnesses) + more || spread < wanted) return nullptr;
   if (best.weight() < options_.score) return nullptr;
   if (options_.misses * static_cast<std::size_t>(best.misses) > best.witnesses.size()) {
     return nullptr;

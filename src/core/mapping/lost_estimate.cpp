@@ -7,7 +7,10 @@ namespace place_memory::core {
 namespace {
 
 constexpr double kLeast = 1e-3;
-constexpr LostModel kFitted{0.001, {0.1, 1.0, 3.2, 5.0, 1.5, 10.0}};
+/// New ground may look like known ground for long, and is no more than a doubt.
+constexpr double kMostDoubt = 0.3;
+/// The counts of place_memory_mapping fit_lost, softened by half: neighbours share most readings.
+constexpr LostModel kFitted{0.0015, {0.15, 1.0, 3.2, 6.0, 1.4, 6.0}};
 
 }  // namespace
 
@@ -15,7 +18,8 @@ LostEstimate::LostEstimate() : LostEstimate(kFitted) {}
 
 void LostEstimate::update(ScanWitness witness, double way) {
   lost_ += (1.0 - lost_) * (1.0 - std::exp(-model_.lifted_per_metre * way));
-  const double ratio = model_.ratios[static_cast<std::size_t>(witness)];
+  double ratio = model_.ratios[static_cast<std::size_t>(witness)];
+  if (witness == ScanWitness::kDoubts && lost_ >= kMostDoubt) ratio = 1.0;
   const double odds = lost_ / std::max(1.0 - lost_, kLeast) * ratio;
   lost_ = std::clamp(odds / (1.0 + odds), kLeast, 1.0 - kLeast);
 }

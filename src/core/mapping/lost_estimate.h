@@ -28,7 +28,7 @@ struct LostModel {
 /// P(lost): a two-state filter. A robot may be lifted at any time; scans at known places tell.
 class LostEstimate {
  public:
-  /// With the model that is fitted by `place_memory_mapping fit_lost`.
+  /// With a model that `place_memory_mapping fit_lost` counts.
   LostEstimate();
   explicit LostEstimate(const LostModel& model) : model_(model) {}
 

@@ -178,7 +178,7 @@ class Mapper {
   static constexpr int kMapSession = 1;       ///< in whose frame the map lies
   static constexpr std::size_t kWindow = 40;  ///< nodes that a local correction moves
   /// Agreement of the newest readings with what should be there from which they are of it.
-  static constexpr double kAgrees = 0.45;
+  static constexpr double kAgrees = 0.4;
 
   /// What one scan showed.
   struct View {

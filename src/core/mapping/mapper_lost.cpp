@@ -75,9 +75,11 @@ ScanWitness Mapper::witnessOf(const View& view) const {
   if (again || sure) {
     return view.at_place || disagrees ? ScanWitness::kElsewhere : ScanWitness::kDoubts;
   }
-  // After a long way it would be a loop to close.
+  // After a long way, and where scans agree on a loop that odometry allows, that is what it is.
   const double untied = reckoning_.way() - anchored_way_;
-  if (untied >= kSurelyAnchored || graph_.ties().empty()) return ScanWitness::kSilent;
+  const ClosureCandidate* loop = loops_.foremost();
+  const bool closes = loop && loop->witnesses.size() >= 2;
+  if (closes || untied >= kSurelyAnchored || graph_.ties().empty()) return ScanWitness::kSilent;
   if (disagrees) return ScanWitness::kContradicts;
   return view.at_place ? ScanWitness::kMisses : ScanWitness::kSilent;
 }
@@ -87,7 +89,9 @@ void Mapper::judgeLost(NodeIndex at, const View& view, ScanDecision& decision) {
   if (!node.before || session_ != kMapSession || node.session != kMapSession) return;
   decision.witness = witnessOf(view);
   lost_.update(decision.witness, node.last_way - graph_.node(*node.before).last_way);
-  if (lost_.probability() > kSurelyLost) partWays();
+  const bool here = decision.witness != ScanWitness::kSilent &&
+                    decision.witness != ScanWitness::kDoubts;
+  if (here && lost_.probability() > kSurelyLost) partWays();
 }
 
 bool Mapper::inDoubt(const View& view) const {

@@ -45,6 +45,18 @@ TEST(ClosureCandidates, ScansThatAgreeOverThreeMetresAreEnough) {
   EXPECT_NEAR(drive.candidates.accepted()->target_from_estimate.y, 1.0, 1e-6);
 }
 
+TEST(ClosureCandidates, WhereOdometryHardlyReachesItTakesMore) {
+  Drive drive;
+  int scans = 0;
+  while (!drive.candidates.accepted() && scans < 40) {
+    Sighting seen = drive.shifted(5.0, 1.0, 0.9);
+    seen.prior = -4.0;
+    drive.scan({seen}, kEverywhere);
+    ++scans;
+  }
+  EXPECT_EQ(scans, 15);  // seven metres
+}
+
 TEST(ClosureCandidates, SightingsAllOverThePlaceAgreeWithNothing) {
   Drive drive;
   for (int i = 0; i < 40; ++i) {

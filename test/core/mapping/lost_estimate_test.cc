@@ -32,6 +32,13 @@ TEST(LostEstimate, OnNewGroundItHardlyRises) {
   EXPECT_LT(lost.probability(), 0.1);
 }
 
+TEST(LostEstimate, NewGroundThatLooksLikeKnownGroundIsADoubtAndNoLoss) {
+  LostEstimate lost;
+  for (int i = 0; i < 200; ++i) lost.update(ScanWitness::kDoubts, 0.5);
+  EXPECT_GT(lost.probability(), 0.25);
+  EXPECT_LT(lost.probability(), 0.5);
+}
+
 TEST(LostEstimate, FoundAgainItSaysSo) {
   LostEstimate lost;
   lost.set(0.9);
