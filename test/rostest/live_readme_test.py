@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The examples of README.md that are marked as live work as printed, in the order of the page."""
+"""The examples of README.md and doc/node.md that are marked as live work as printed, in their order."""
 
 import os
 import re
@@ -9,15 +9,18 @@ import rosgraph
 
 import live_test
 
-README = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "README.md")
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+PAGES = ("README.md", os.path.join("doc", "node.md"))
 EXAMPLES = re.compile(r"<!-- live -->\n```bash\n(.*?)```", re.DOTALL)
-NODE = "/place_memory/"  # as the page names it
+NODE = "/place_memory/"  # as the pages name it
 
 
 def read_commands(node):
     """Every command, a string, with the node's own name."""
-    with open(README, encoding="utf-8") as file:
-        examples = "".join(EXAMPLES.findall(file.read()))
+    examples = ""
+    for page in PAGES:
+        with open(os.path.join(ROOT, page), encoding="utf-8") as file:
+            examples += "".join(EXAMPLES.findall(file.read()))
     commands = re.sub(r"\\\n\s*", "", examples).splitlines()
     return [command.replace(NODE, node + "/") for command in commands]
 
