@@ -115,12 +115,26 @@ void readRoutes(ParameterReader& reader, core::LinkLearningOptions& routes) {
   reader.number("routes/speed", closed(0.01, 10.0), routes.speed);
 }
 
+void readDrive(ParameterReader& reader, DriveOptions& drive) {
+  reader.choice("drive/correct",
+                {{"always", Correct::kAlways},
+                 {"when_lost", Correct::kWhenLost},
+                 {"on_request", Correct::kOnRequest}},
+                drive.correct);
+  reader.number("drive/largest_jump", leftOpen(0.0, 100.0), drive.largest_jump);
+  reader.flag("drive/initialpose", drive.initialpose);
+}
+
 Parameters readAll(ParameterReader& reader) {
   Parameters parameters;
   readFrame(reader, "odom_frame", true, parameters.odom_frame);
   readFrame(reader, "base_frame", false, parameters.base_frame);
   readFrame(reader, "map_frame", false, parameters.map_frame);
+  reader.choice("mode", {{"off", Mode::kOff}, {"map", Mode::kMap}, {"localize", Mode::kLocalize}},
+                parameters.mode);
   reader.flag("tf_broadcast", parameters.tf_broadcast);
+  reader.number("tf_rate", leftOpen(0.0, 1000.0), parameters.tf_rate);
+  reader.number("transform_tolerance", closed(0.0, 10.0), parameters.transform_tolerance);
   reader.texts("sonar_topics", checkTopic, parameters.sonar_topics);
   reader.text("heading_topic", checkOptionalTopic, parameters.heading_topic);
   reader.text("odom_topic", checkOptionalTopic, parameters.odom_topic);
@@ -134,6 +148,7 @@ Parameters readAll(ParameterReader& reader) {
   readMatch(reader, parameters.match);
   readPlaces(reader, parameters.places);
   readRoutes(reader, parameters.routes);
+  readDrive(reader, parameters.drive);
   reader.integer("markers/labels", closed(0, 10000), parameters.markers.labels);
   return parameters;
 }
@@ -171,6 +186,9 @@ void checkTogether(const Parameters& parameters, std::vector<std::string>& probl
     if (!topic.empty() && !others.insert(topic).second) {
       problems.push_back("sonar_topics, heading_topic, odom_topic: " + topic + " is given twice");
     }
+  }
+  if (parameters.mode != Mode::kOff && parameters.odom_frame.empty()) {
+    problems.push_back("mode: without an odom_frame nothing says how the robot drives");
   }
   if (parameters.tf_broadcast && parameters.odom_frame.empty()) {
     problems.push_back("tf_broadcast: without an odom_frame there is no transform to broadcast");

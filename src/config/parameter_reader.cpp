@@ -204,6 +204,12 @@ void ParameterReader::flag(const std::string& name, bool& value) {
   value = *given;
 }
 
+bool ParameterReader::saysOff(const std::string& name) {
+  const Entry* entry = find(name);
+  if (entry == nullptr || kindOf(entry->value) != ValueKind::kFlag) return false;
+  return flagOf(entry->value) == false;
+}
+
 void ParameterReader::text(const std::string& name,
                            const std::function<std::string(const std::string&)>& check,
                            std::string& value) {

@@ -53,6 +53,13 @@ class ParameterReader {
   template <class Value>
   void choice(const std::string& name, const std::vector<std::pair<std::string, Value>>& choices,
               Value& value) {
+    if (saysOff(name)) {
+      for (const auto& [known, meaning] : choices) {
+        if (known != "off") continue;
+        value = meaning;
+        return;
+      }
+    }
     std::string words;
     for (const auto& choice : choices) words += (words.empty() ? "" : ", ") + choice.first;
     std::string word;
@@ -98,6 +105,8 @@ class ParameterReader {
              Descent& descent);
   std::string unknown(const std::string& name, const Entry& entry) const;
   const Entry* find(const std::string& name);
+  /// Whether the value is a bare off, which YAML 1.1 takes for false.
+  bool saysOff(const std::string& name);
   void complain(const std::string& name, const Entry& entry, const std::string& problem);
   bool readNumber(const std::string& name, const Entry& entry, const Interval& interval,
                   double& value);

@@ -68,6 +68,27 @@ struct MatchOptions {
   core::RecognizerOptions recognizer;  ///< with what that preset holds
 };
 
+/// What the node does with readings that come while the robot drives.
+enum class Mode {
+  kOff,       ///< nothing
+  kMap,       ///< it makes a map and corrects it
+  kLocalize,  ///< it tells where the robot is on a map that stays
+};
+
+/// When the transform map_frame -> odom_frame follows what is found out.
+enum class Correct {
+  kAlways,
+  kWhenLost,   ///< when it became known anew where the robot is
+  kOnRequest,  ///< when it is known after ~relocalize or initialpose
+};
+
+/// Of a robot that drives along with the map.
+struct DriveOptions {
+  Correct correct = Correct::kAlways;
+  double largest_jump = 0.5;  ///< a correction that moves the robot further is an event [m]
+  bool initialpose = false;   ///< published when it became known where the robot is
+};
+
 /// What is drawn for rviz.
 struct MarkerOptions {
   int labels = 100;
@@ -78,7 +99,10 @@ struct Parameters {
   std::string odom_frame = "odom";  ///< empty: no odometry
   std::string base_frame = "base_link";
   std::string map_frame = "map";
-  bool tf_broadcast = false;  ///< map_frame -> odom_frame
+  Mode mode = Mode::kOff;
+  bool tf_broadcast = false;         ///< map_frame -> odom_frame
+  double tf_rate = 10.0;             ///< [Hz]
+  double transform_tolerance = 0.2;  ///< [s]
   std::vector<std::string> sonar_topics = {"sonar"};
   std::string heading_topic = "heading";  ///< empty: no compass, odometry's yaw is used
   std::string odom_topic;  ///< of nav_msgs/Odometry where nothing broadcasts tf; empty: none
@@ -95,6 +119,7 @@ struct Parameters {
   MatchOptions match;
   core::AdaptationOptions places;
   core::LinkLearningOptions routes;
+  DriveOptions drive;
   MarkerOptions markers;
 };
 

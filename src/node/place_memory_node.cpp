@@ -23,6 +23,7 @@ namespace {
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 const ros::WallDuration kAtOnce(0.001);
 constexpr int kTicksBetweenWarnings = 10;
+constexpr std::chrono::nanoseconds kPosePeriod = std::chrono::milliseconds(100);
 
 ros::NodeHandle withQueue(const ros::NodeHandle& names, ros::CallbackQueueInterface& queue) {
   ros::NodeHandle with_queue(names);
@@ -47,11 +48,17 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       memory_(openMemory()),
       scans_(parameters_.scan.max_age),
       examiner_(parameters_.sonar, [this](core::PlaceId id) { return memory_->grid(id); }),
-      transforms_(names_, buffer_),
       scan_grid_(private_names_.advertise<nav_msgs::OccupancyGrid>(kScanGridTopic, 1, true)),
       answer_publisher_(private_names_, *memory_, parameters_),
+      drive_publisher_(names_, private_names_, *memory_, parameters_),
       map_publisher_(private_names_, *memory_, parameters_, [this] { return locateRobot(); }),
-      map_frame_broadcaster_(names_, *memory_, parameters_),
+      driver_(parameters_, *memory_, driveCallbacks()),
+      transforms_(names_, buffer_,
+                  [this](const geometry_msgs::TransformStamped& transform, bool is_static) {
+                    driver_.input().take(transform, is_static);
+                  }),
+      map_frame_broadcaster_(
+          names_, [this] { return mapFromOdom(); }, parameters_),
       scan_server_(names_, private_names_, parameters_, buffer_, transforms_, scanCallbacks()),
       live_parameters_(withQueue(private_names_, queue_), parameters_,
                        [this](const config::Parameters& now) {
@@ -59,11 +66,14 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
                          scan_server_.setNoEcho(now.no_echo);
                        }),
       diagnostics_(names_, private_names_),
-      services_(private_names_,
-                {*memory_, answer_publisher_, scans_, examiner_, parameters_, store_problem_}),
+      drive_services_(names_, private_names_, driver_, *memory_, parameters_),
+      services_(private_names_, {*memory_, answer_publisher_, scans_, examiner_, driver_,
+                                 drive_publisher_, parameters_, store_problem_}),
       route_services_(private_names_, *memory_, parameters_) {
   setUpDiagnostics();
   sayWhatIsKnown();
+  drive_publisher_.publish(config::Mode::kOff);
+  drive_services_.begin();
 }
 
 void PlaceMemoryNode::setUpDiagnostics() {
@@ -138,11 +148,42 @@ ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
   ScanServer::Callbacks callbacks;
   callbacks.finished = [this](std::shared_ptr<const core::Scan> scan) {
     publishScan(*scan);
+    driver_.input().take(scan);
     scans_.add(std::move(scan));
   };
   callbacks.partial = [this](const core::Scan& scan) { publishScan(scan); };
   callbacks.time_jump = [this] { dropScans(); };
+  callbacks.taken = [this](const Taken& taken) { driver_.input().take(taken); };
   return callbacks;
+}
+
+MapDriver::Callbacks PlaceMemoryNode::driveCallbacks() {
+  MapDriver::Callbacks callbacks;
+  callbacks.step = [this](const MapDriver::Step& step) { publishStep(step); };
+  callbacks.event = [this](const DriveEvent& event) { drive_publisher_.publish(event); };
+  callbacks.mode = [this](config::Mode mode) {
+    drive_publisher_.publish(mode);
+    answer_publisher_.publishCurrentPlace();
+  };
+  return callbacks;
+}
+
+// By one thread at a time: the driver holds a mutex.
+void PlaceMemoryNode::publishStep(const MapDriver::Step& step) {
+  drive_publisher_.publish(step);
+  if (step.belief) answer_publisher_.publishCurrentPlace();
+  const std::chrono::nanoseconds since = step.now.stamp - published_pose_;
+  if (!step.belief && !step.became_known && since.count() >= 0 && since < kPosePeriod) return;
+  const auto pose = drive_publisher_.poseOf(step);
+  if (!pose) return;
+  published_pose_ = step.now.stamp;
+  answer_publisher_.publishPose(*pose);
+}
+
+std::optional<core::Pose2d> PlaceMemoryNode::mapFromOdom() const {
+  if (driver_.mode() != config::Mode::kOff) return driver_.mapFromOdom();
+  const core::Whereabouts whereabouts = memory_->whereabouts();
+  return whereabouts.apart ? std::nullopt : whereabouts.map_from_odom;
 }
 
 void PlaceMemoryNode::publishScan(const core::Scan& scan) {

@@ -7,6 +7,7 @@
 #include <ros/wall_timer.h>
 #include <tf2/buffer_core.h>
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +18,9 @@
 #include "node/answer/place_services.h"
 #include "node/answer/route_services.h"
 #include "node/base/guarded_queue.h"
+#include "node/drive/drive_publisher.h"
+#include "node/drive/drive_services.h"
+#include "node/drive/map_driver.h"
 #include "node/input/transform_input.h"
 #include "node/live_parameters.h"
 #include "node/map/map_frame_broadcaster.h"
@@ -44,9 +48,12 @@ class PlaceMemoryNode {
  private:
   std::unique_ptr<core::PlaceMemory> openMemory();
   ScanServer::Callbacks scanCallbacks();
+  MapDriver::Callbacks driveCallbacks();
   void publishScan(const core::Scan& scan);
   void dropScans();
   std::optional<core::Pose2d> locateRobot() const;
+  std::optional<core::Pose2d> mapFromOdom() const;
+  void publishStep(const MapDriver::Step& step);
   void setUpDiagnostics();
   void onDiagnosticsTimer();
   void sayWhatIsKnown() const;
@@ -61,10 +68,13 @@ class PlaceMemoryNode {
   KeptScans scans_;
   SensorExaminer examiner_;
   tf2::BufferCore buffer_;
-  TransformInput transforms_;
   ros::Publisher scan_grid_;
   AnswerPublisher answer_publisher_;
+  DrivePublisher drive_publisher_;
   MapPublisher map_publisher_;
+  std::chrono::nanoseconds published_pose_{0};  ///< stamp of the newest one of the drive
+  MapDriver driver_;
+  TransformInput transforms_;
   MapFrameBroadcaster map_frame_broadcaster_;
   ScanServer scan_server_;
   LiveParameters live_parameters_;
@@ -72,7 +82,8 @@ class PlaceMemoryNode {
   ros::SteadyTimer diagnostics_timer_;
   ros::SteadyTimer health_timer_;
   int ticks_without_time_ = 0;
-  PlaceServices services_;  ///< ends with the next: all changes come from there
+  DriveServices drive_services_;
+  PlaceServices services_;  ///< ends first, but for the next: changes come from there
   RouteServices route_services_;
 };
 

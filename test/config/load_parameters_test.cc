@@ -67,6 +67,12 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_NEAR(a.match.recognizer.heading_window, b.match.recognizer.heading_window, 1e-6);
   EXPECT_EQ(a.places.enabled, b.places.enabled);
   EXPECT_EQ(a.places.retention, b.places.retention);
+  EXPECT_EQ(a.mode, b.mode);
+  EXPECT_EQ(a.tf_rate, b.tf_rate);
+  EXPECT_EQ(a.transform_tolerance, b.transform_tolerance);
+  EXPECT_EQ(a.drive.correct, b.drive.correct);
+  EXPECT_EQ(a.drive.largest_jump, b.drive.largest_jump);
+  EXPECT_EQ(a.drive.initialpose, b.drive.initialpose);
   EXPECT_EQ(a.markers.labels, b.markers.labels);
 }
 
@@ -104,6 +110,15 @@ match: {preset: paper, method: nearest_neighbour}
   EXPECT_EQ(p.match.recognizer.metric.weights, core::kPaperWeights);
   EXPECT_EQ(p.base_frame, "base_link");
   EXPECT_EQ(p.scan.min_readings, Parameters().scan.min_readings);
+}
+
+TEST(LoadParameters, TheModeMayBeABareOffWhichYamlTakesForFalse) {
+  EXPECT_EQ(parse("mode: map\n").mode, Mode::kMap);
+  EXPECT_EQ(parse("mode: off\n").mode, Mode::kOff);
+  EXPECT_EQ(parse("mode: \"off\"\n").mode, Mode::kOff);
+  EXPECT_THROW(parse("mode: on\n"), ParameterError);
+  EXPECT_THROW(parse("mode: drive\n"), ParameterError);
+  EXPECT_THROW(parse("mode: map\nodom_frame: \"\"\n"), ParameterError);
 }
 
 TEST(LoadParameters, LaterFilesWin) {

@@ -79,10 +79,10 @@ const std::map<std::string, Parts> kMayUse{
     {"node/scan", {"node/input"}},
     {"node/answer", {"node"}},
     {"node/map", {"node"}},
-    {"node/drive", {"node"}},
+    {"node/drive", {"node/scan"}},
     {"node", {"config", "ros", "node/input", "node/scan", "node/answer", "node/map", "node/drive"}},
 
-    {"tools", {"config", "ros", "node/input", "node/scan"}},
+    {"tools", {"config", "ros", "node/input", "node/scan", "node/drive"}},
     {"rviz", {"support", "ros", "qt", "boost"}},
 
     {"lab", {"config", "sim/robot", "json"}},  // every folder of it

@@ -35,9 +35,12 @@ def steps(rounds):
 
 class CorridorBag:
     """`truth`: (t, pose in the room) of each moment; of odometry's starting anew `reset_at` [s after
-    the start], and `late`: what is recorded is that much out of its order [s]."""
+    the start], and `late`: what is recorded is that much out of its order [s]. `carried_at` [s after
+    the start]: the robot is carried so many steps along its way, and odometry does not notice;
+    `ahead`: it begins so many steps along its way."""
 
-    def __init__(self, path, start, rounds, seed, compass=True, reset_at=None, late=0.0):
+    def __init__(self, path, start, rounds, seed, compass=True, reset_at=None, late=0.0,
+                 carried_at=None, carried=100, ahead=0):
         rng = random.Random(seed)
         self.truth = []
         pose = (-0.5 * WIDTH + CORNER, -0.5 * DEPTH, 0.0)
@@ -45,6 +48,11 @@ class CorridorBag:
         messages = []
         t = start
         for length, turn in steps(rounds):
+            if ahead > 0 or (carried_at is not None and t - start > carried_at and carried > 0):
+                ahead, carried = (ahead - 1, carried) if ahead > 0 else (ahead, carried - 1)
+                move = (0.5 * length, 0.0, turn)
+                pose = compose(compose(pose, move), (0.5 * length, 0.0, 0.0))
+                continue
             stamp = rospy.Time.from_sec(t)
             self.truth.append((t, pose))
             messages.append((t, "/tf", TFMessage(

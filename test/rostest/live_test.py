@@ -35,6 +35,8 @@ SERVICES = {
     "report_traversal": srv.ReportTraversal,
     "set_link": srv.SetLink,
     "make_plan": GetPlan,
+    "set_mode": srv.SetMode,
+    "relocalize": srv.Relocalize,
 }
 
 

@@ -26,6 +26,8 @@
 
 namespace place_memory::core {
 
+struct KeptMap;
+
 /// Why the memory refused what it was asked for; what() says it in a sentence.
 class PLACE_MEMORY_PUBLIC PlaceMemoryError : public std::runtime_error {
  public:
@@ -146,6 +148,17 @@ class PLACE_MEMORY_PUBLIC PlaceMemory {
   /// Removes every place and returns how many there were. Throws PlaceMemoryError.
   std::size_t clear();
 
+  /// The map as one who drives along with it takes it up: scans and ties that were kept, and places
+  /// that were learned otherwise; those whose readings are not known are left out. Waits for the
+  /// disk. Throws PlaceMemoryError.
+  KeptMap drivenMap() const;
+  /// Keeps what a drive has made of drivenMap(), in one change: places that are new, moved or gone,
+  /// and in the store scans and ties. A place that was removed meanwhile stays removed. Throws
+  /// PlaceMemoryError; all is then as it was.
+  void keep(const KeptMap& map);
+  /// Of all that only the places that are new. Throws likewise.
+  void keepNewPlaces(const KeptMap& map);
+
   /// Number of places.
   std::size_t size() const;
   /// Of the map: counts its changes.
@@ -174,6 +187,9 @@ class PLACE_MEMORY_PUBLIC PlaceMemory {
   Whereabouts whereabouts() const;
   /// The robot was carried, or time ran backwards: where it is now is not known.
   void forgetWhereabouts();
+  /// From now on the robot is where this says, and no answer says otherwise: RECOGNIZED joins no
+  /// sessions, and a place is learned where the drive has the robot. Nothing: the drive has ended.
+  void followDrive(const std::optional<DriveWhereabouts>& whereabouts);
 
   /// Is called with every change from now on, in the order of their versions, once it is kept and
   /// seen by everybody, on the memory's own thread; who asked for the change waits for it. It must

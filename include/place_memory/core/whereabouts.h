@@ -34,6 +34,15 @@ struct Whereabouts {
   std::string current_label;  ///< of `current`, as it is called now; "" where that is kNoPlace
 };
 
+/// Where a robot that drives along with the map is, as whoever follows its way has it.
+struct DriveWhereabouts {
+  /// Odometry's frame in the map's, or where `apart`, in that of the session; nothing: unknown.
+  std::optional<Pose2d> map_from_odom;
+  bool apart = false;              ///< in a session of its own, not joined to the map yet
+  SessionId session = kNoSession;  ///< that one
+  PlaceId current = kNoPlace;      ///< at which the robot is; kNoPlace: between places
+};
+
 }  // namespace place_memory::core
 
 #endif  // PLACE_MEMORY_CORE_WHEREABOUTS_H

@@ -50,6 +50,8 @@ struct KeptMap {
   std::vector<Tie> ties;
   OdometryErrors errors;
   PlaceId next_place = 1;  ///< ids from here on were never given
+  /// Places that a person learned or named: none goes because it seems doubled.
+  std::vector<PlaceId> named;
 };
 
 }  // namespace place_memory::core

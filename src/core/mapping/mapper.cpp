@@ -56,6 +56,7 @@ void Mapper::beginSession() {
   reckoning_.restart();
   headings_.clear();
   last_middle_.reset();
+  told_.reset();
   first_of_session_ = true;
   if (!graph_.nodes().empty()) beginApart();
 }
@@ -71,13 +72,6 @@ std::vector<ScanDecision> Mapper::takeDecisions() {
   return taken;
 }
 
-std::optional<Pose2d> Mapper::mapFromOdom() const {
-  if (session_ != kMapSession || !last_middle_) return std::nullopt;
-  const Pose2d map_from_base =
-      graph_.nodes().back().pose * (last_middle_->reckoned.inverse() * reckoning_.pose());
-  return map_from_base * newest_odom_.inverse();
-}
-
 NodeIndex Mapper::append(const MovingScan& scan) {
   ScanNode node;
   node.stamp = scan.middle.stamp;
@@ -89,6 +83,8 @@ NodeIndex Mapper::append(const MovingScan& scan) {
   node.readings = scan.readings;
   if (first_of_session_) {
     node.pose = {0.0, 0.0, node.compass.value_or(node.odom_from_base.yaw)};
+    if (told_) node.pose = told_->map_from_base * told_->reckoned.inverse() * scan.middle.reckoned;
+    told_.reset();
     first_of_session_ = false;
   } else {
     node.before = graph_.nodes().size() - 1;
@@ -163,7 +159,7 @@ void Mapper::process(const MovingScan& scan) {
       if (closer_.cutContradicted()) graph_.relaxAll(session_, 10);
       afterRelaxing();
     }
-    undecided_.push_back(at);
+    if (!standing_) undecided_.push_back(at);
     makePlaces();
     if (graph_.node(at).place != kNoPlace) decision.kind = ScanDecision::Kind::kNewPlace;
   }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "core/mapping/graph_thinning.h"
 #include "core/mapping/loop_closer.h"
 #include "core/mapping/lost_estimate.h"
+#include "core/mapping/mapper_event.h"
 #include "core/mapping/moving_scan.h"
 #include "core/mapping/place_shelf.h"
 #include "core/mapping/scan_graph.h"
@@ -99,11 +101,36 @@ class Mapper {
   void setMode(MapperMode mode);
   MapperMode mode() const { return options_.mode; }
 
+  /// Somebody says where the robot is on the map, which has been there before: it goes on from
+  /// there, until scans say otherwise.
+  void setPose(const Pose2d& map_from_base);
+  /// The scan of a robot that stood, or turned on the spot: readings in the base's frame, and where
+  /// odometry had that. It becomes a node, and no place by itself.
+  void addStanding(std::chrono::nanoseconds stamp, const Pose2d& odom_from_base,
+                   std::vector<SonarReading> readings);
+  /// The standing scan of that stamp is a place, by a person's word, with an id that nobody had;
+  /// places of the drive's own that it doubles go.
+  void adopt(PlaceId id, std::chrono::nanoseconds stamp);
+  /// A person gave the place a name: it goes no more because it seems doubled.
+  void setNamed(PlaceId id) { named_.insert(id); }
+  /// The place is gone, by a person's word; its scan stays in the graph.
+  void forget(PlaceId id);
+
   /// What became of scans since it was asked last.
   std::vector<ScanDecision> takeDecisions();
+  /// Likewise beyond single scans.
+  std::vector<MapperEvent> takeEvents();
 
   /// Corrects odometry's newest pose; nothing while where the robot is is not known.
-  std::optional<Pose2d> mapFromOdom() const;
+  std::optional<Pose2d> mapFromOdom() const {
+    return session_ == kMapSession ? sessionFromOdom() : std::nullopt;
+  }
+  /// The same in the frame of the robot's session, which may be apart.
+  std::optional<Pose2d> sessionFromOdom() const;
+  /// In whose frame the robot's pose is; 1: the map's.
+  int session() const { return session_; }
+  /// Way since a place told where the robot is [m].
+  double untiedWay() const { return reckoning_.way() - anchored_way_; }
   /// Probability that it is wrong, or 1 where there is none.
   double lost() const { return session_ == 1 ? lost_.probability() : 1.0; }
 
@@ -112,7 +139,13 @@ class Mapper {
 
   std::vector<MappedPlace> places() const;
   /// Everything that makes the map, to be kept.
-  KeptMap map() const { return {graph_.nodes(), graph_.ties(), graph_.errors(), shelf_.nextId()}; }
+  KeptMap map() const {
+    return {graph_.nodes(),
+            graph_.ties(),
+            graph_.errors(),
+            shelf_.nextId(),
+            {named_.begin(), named_.end()}};
+  }
   /// Takes up a map that was kept, in a mapper that has none; where the robot is on it is not
   /// known. Throws std::invalid_argument where the mapper has one, or an index or a number of `map`
   /// is wrong.
@@ -122,6 +155,12 @@ class Mapper {
   NodeIndex firstOfDrive() const { return first_of_drive_; }
 
  private:
+  /// Where somebody said that the robot is, and where dead reckoning had it then.
+  struct ToldPose {
+    Pose2d map_from_base;
+    Pose2d reckoned;
+  };
+
   static constexpr int kMapSession = 1;       ///< in whose frame the map lies
   static constexpr std::size_t kWindow = 40;  ///< nodes that a local correction moves
 
@@ -145,6 +184,7 @@ class Mapper {
   void thinOut();
   void afterRelaxing();
   void name(NodeIndex at, ScanDecision& decision) const;
+  void note(MapperEvent::Kind kind, const ClosureCandidate* candidate = nullptr);
 
   MapperOptions options_;
   DeadReckoning reckoning_;
@@ -157,12 +197,16 @@ class Mapper {
   ClosureCandidates loops_;  ///< within the session's own frame
   ClosureCandidates joins_;  ///< with the map, while the session is apart
   std::vector<ScanDecision> decisions_;
+  std::vector<MapperEvent> events_;
+  std::set<PlaceId> named_;           ///< see setNamed()
   std::vector<NodeIndex> undecided_;  ///< scans of which places may be made yet
   int session_ = 1;                   ///< in whose frame the robot's pose is
   int last_session_ = 1;
   bool first_of_session_ = true;
   NodeIndex first_of_drive_ = 0;
   std::optional<BaseMoment> last_middle_;  ///< of the newest node
+  std::optional<ToldPose> told_;           ///< until a scan is there
+  bool standing_ = false;                  ///< the scan that is processed is one of one spot
   Pose2d newest_odom_;
   double anchored_way_ = 0.0;              ///< at the last tie
   std::chrono::nanoseconds map_stamp_{0};  ///< of the newest scan of the map that is localized in

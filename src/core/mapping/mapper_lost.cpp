@@ -95,6 +95,7 @@ void Mapper::judgeLost(NodeIndex at, bool tracked, const std::vector<Sighting>& 
 }
 
 void Mapper::partWays() {
+  note(MapperEvent::Kind::kLost);
   // What was driven since the last tie lies nobody knows where.
   NodeIndex first = graph_.nodes().size() - 1;
   while (first > 0 && graph_.node(first).before && !graph_.tied(*graph_.node(first).before)) {

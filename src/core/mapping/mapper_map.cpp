@@ -32,6 +32,7 @@ bool Mapper::closeLoops(double way) {
   bool closed = false;
   if (const ClosureCandidate* loop = loops_.accepted()) {
     closed = closer_.close(*loop, session_, session_, moves_map, way);
+    note(closed ? MapperEvent::Kind::kClosed : MapperEvent::Kind::kRefused, loop);
     if (!closed) loops_.dropForemost();
     // Witnesses enough, and still odometry cannot have brought the robot there: it was carried.
     if (!closed && ++refused_ >= kCarried && session_ == kMapSession && !graph_.ties().empty()) {
@@ -42,6 +43,7 @@ bool Mapper::closeLoops(double way) {
   if (!closed && session_ != kMapSession) {
     if (const ClosureCandidate* join = joins_.accepted()) {
       closed = closer_.close(*join, session_, kMapSession, moves_map, way);
+      note(closed ? MapperEvent::Kind::kJoined : MapperEvent::Kind::kRefused, join);
       if (!closed) joins_.dropForemost();
       if (closed) session_ = kMapSession;
     }
@@ -59,6 +61,7 @@ bool Mapper::closeLoops(double way) {
 }
 
 void Mapper::takeBack() {
+  note(MapperEvent::Kind::kTakenBack);
   if (const std::optional<int> apart = closer_.splitSession()) session_ = *apart;
   if (options_.mode == MapperMode::kMap) {
     graph_.relaxAll(session_, kSteps);
@@ -77,15 +80,16 @@ void Mapper::afterRelaxing() {
   // Of places that have come to lie on each other the newer one goes; its scan stays in the graph.
   graph_.untie([this](const Tie& tie) { return graph_.chiSquare(tie) > kFarOff; });
   shelf_.follow(graph_);
-  std::vector<PlaceId> doubled;
+  // So does an older one that lies on one that a person named; those stay.
+  std::set<PlaceId> doubled;
   for (const auto& [id, at] : shelf_.places()) {
     const ScanNode& node = graph_.node(at);
     for (const PlaceShelf::Near& near :
          shelf_.near(node.pose, node.session, options_.doubled, false)) {
-      if (near.id < id) {
-        doubled.push_back(id);
-        break;
-      }
+      if (near.id >= id) continue;
+      const PlaceId goes = named_.count(id) == 0 ? id : near.id;
+      if (named_.count(goes) == 0) doubled.insert(goes);
+      if (goes == id) break;
     }
   }
   for (const PlaceId id : doubled) {
@@ -123,6 +127,7 @@ void Mapper::restore(const KeptMap& map) {
     }
   }
   graph_.assign(map.nodes, map.ties, map.errors);
+  named_ = {map.named.begin(), map.named.end()};
   shelf_.restore(graph_, map.next_place);
   first_of_drive_ = map.nodes.size();
   setMode(options_.mode);

@@ -16,8 +16,9 @@ Pose2d gridPose(const ScanNode& node) { return node.pose * Pose2d{0.0, 0.0, -nod
 
 }  // namespace
 
-PlaceId PlaceShelf::add(NodeIndex at, ScanGraph& graph) {
-  const PlaceId id = ++last_id_;
+PlaceId PlaceShelf::add(NodeIndex at, ScanGraph& graph, PlaceId wanted) {
+  const PlaceId id = wanted == kNoPlace ? last_id_ + 1 : wanted;
+  last_id_ = std::max(last_id_, id);
   graph.node(at).place = id;
   node_of_[id] = at;
   const ScanNode& node = graph.node(at);

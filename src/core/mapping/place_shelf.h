@@ -19,8 +19,9 @@ class PlaceShelf {
   PlaceShelf(const RecognizerOptions& options, const SonarModel& sonar, double cell_size)
       : options_(options), sonar_(sonar), geometry_{cell_size} {}
 
-  /// Makes a node a place. It is matched against once it is ripe.
-  PlaceId add(NodeIndex at, ScanGraph& graph);
+  /// Makes a node a place. It is matched against once it is ripe. `id`: higher than any that was
+  /// given; kNoPlace: the next one.
+  PlaceId add(NodeIndex at, ScanGraph& graph, PlaceId id = kNoPlace);
   void remove(PlaceId id, ScanGraph& graph);
   /// Lets places be matched against that share no reading with a stretch that begins at `way`.
   void ripen(double way, ScanGraph& graph);

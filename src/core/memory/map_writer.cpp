@@ -46,11 +46,15 @@ MapWriter::MapWriter(PlaceStore store, MemoryState& state, Clock clock)
   report(store_.whyReadOnly());
 }
 
-void MapWriter::commit(std::vector<MapEdit> edits, const std::function<void()>& settle) {
-  if (edits.empty()) return;
+void MapWriter::commit(std::vector<MapEdit> edits, const std::function<void()>& settle,
+                       const KeptMap* scans) {
+  if (edits.empty()) {
+    if (scans != nullptr) keep({state_.map.version(), state_.map.stamp(), {}}, scans);
+    return;
+  }
   const MapChange change{state_.map.version() + 1, clock_(), std::move(edits)};
   state_.map.check(change);
-  keep(change);
+  keep(change, scans);
   apply(change, settle);
   std::vector<PlaceMemory::Listener> listeners;
   {
@@ -60,9 +64,13 @@ void MapWriter::commit(std::vector<MapEdit> edits, const std::function<void()>& 
   tell(listeners, change);
 }
 
-void MapWriter::keep(const MapChange& change) {
+void MapWriter::keep(const MapChange& change, const KeptMap* scans) {
   try {
-    store_.commit(change);
+    if (scans == nullptr) {
+      store_.commit(change);
+    } else {
+      store_.commit(change, *scans);
+    }
   } catch (const StoreError& error) {
     report(error.what());
     refuse(error);

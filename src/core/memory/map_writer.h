@@ -50,10 +50,11 @@ class MapWriter {
   }
 
   /// Makes the edits one change; without an edit there is none. `settle`, where given, runs in the
-  /// moment in which everybody sees the change. Then listeners are told. Throws PlaceMemoryError
-  /// where the store fails, and std::invalid_argument where the edits do not fit the map; nothing
-  /// is changed then.
-  void commit(std::vector<MapEdit> edits, const std::function<void()>& settle = nullptr);
+  /// moment in which everybody sees the change. Then listeners are told. `scans`, where given, take
+  /// the place of those in the store. Throws PlaceMemoryError where the store fails, and
+  /// std::invalid_argument where the edits do not fit the map; nothing is changed then.
+  void commit(std::vector<MapEdit> edits, const std::function<void()>& settle = nullptr,
+              const KeptMap* scans = nullptr);
 
   void listen(PlaceMemory::Listener listener);
   void watch(PlaceMemory::HealthListener listener);
@@ -61,7 +62,7 @@ class MapWriter {
   std::chrono::nanoseconds now() const { return clock_(); }
 
  private:
-  void keep(const MapChange& change);
+  void keep(const MapChange& change, const KeptMap* scans);
   void apply(const MapChange& change, const std::function<void()>& settle);
   [[noreturn]] void refuse(const StoreError& error);
   void report(const std::string& problem);

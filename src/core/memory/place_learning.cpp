@@ -101,7 +101,7 @@ PlaceMemory::Learned PlaceMemory::Impl::learnNow(const Scan& scan, const std::st
   place.identity = makePlaceIdentity();
   place.map_from_place = footing.map_from_odom * scan.odom_from_scan;
   place.learned = scan.end;
-  place.session = footing.session;
+  place.session = footing.driven && !footing.apart ? mapSession() : footing.session;
   place.place_from_robot = scan.robot_in_scan;
 
   std::vector<MapEdit> edits{

@@ -42,7 +42,8 @@ PlaceMemory::Impl::Impl(const PlaceMemoryOptions& options, PlaceStore store)
       tuning_(tuningOf(options.recognizer, options.adaptation)),
       state_(store, located_, options.links),
       links_(options.links),
-      writer_(std::move(store), state_, options.clock ? options.clock : systemTime) {}
+      writer_(std::move(store), state_, options.clock ? options.clock : systemTime),
+      driven_places_(options.cell_size, options.sonar) {}
 
 PlaceMemory::Impl::Tuning PlaceMemory::Impl::tuningOf(const RecognizerOptions& recognizer,
                                                       const AdaptationOptions& adaptation) {
@@ -176,6 +177,16 @@ Whereabouts PlaceMemory::whereabouts() const {
 }
 
 void PlaceMemory::forgetWhereabouts() { impl_->forgetWhereabouts(); }
+
+KeptMap PlaceMemory::drivenMap() const { return impl_->drivenMap(); }
+
+void PlaceMemory::keep(const KeptMap& map) { impl_->keep(map); }
+
+void PlaceMemory::keepNewPlaces(const KeptMap& map) { impl_->keepNewPlaces(map); }
+
+void PlaceMemory::followDrive(const std::optional<DriveWhereabouts>& whereabouts) {
+  impl_->followDrive(whereabouts);
+}
 
 void PlaceMemory::listen(Listener listener) { impl_->writer().listen(std::move(listener)); }
 

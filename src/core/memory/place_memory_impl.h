@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/memory/change_queue.h"
+#include "core/memory/driven_places.h"
 #include "core/memory/learned_scans.h"
 #include "core/memory/map_writer.h"
 #include "core/memory/whereabouts.h"
@@ -20,7 +21,8 @@
 namespace place_memory::core {
 
 /// What PlaceMemory does, by the names that it has there. Learning is in place_learning.cpp,
-/// recognizing in place_recognition.cpp, routes in place_routes.cpp, the rest in place_memory.cpp.
+/// recognizing in place_recognition.cpp, routes in place_routes.cpp, what belongs to a drive in
+/// place_driving.cpp, the rest in place_memory.cpp.
 class PlaceMemory::Impl {
  public:
   Impl(const PlaceMemoryOptions& options, PlaceStore store);
@@ -39,6 +41,10 @@ class PlaceMemory::Impl {
   void setLink(PlaceId from, PlaceId to, LinkOrder order, double toll, bool both_ways);
   std::pair<double, double> linkOdds(PlaceId first, PlaceId second);
   std::vector<Traversal> traversals();
+  KeptMap drivenMap();
+  void keep(const KeptMap& map);
+  void keepNewPlaces(const KeptMap& map);
+  void followDrive(const std::optional<DriveWhereabouts>& whereabouts);
 
   MapWriter& writer() { return writer_; }
 
@@ -88,6 +94,7 @@ class PlaceMemory::Impl {
   /// Where the two places are linked.
   std::optional<LinkLearned> learnedBy(const Traversal& traversal) const;
   bool fold(const Following& following, std::vector<MapEdit>& edits);
+  SessionId mapSession() const;
 
   /// The way from where the robot stood last; for the holder of state_.mutex.
   Traversal wayTo(const Scan& scan, PlaceId from, PlaceId to) const;
@@ -115,6 +122,7 @@ class PlaceMemory::Impl {
   // For works of the queue, which alone change state_.map.
   MapWriter writer_;
   LearnedScans learned_scans_;
+  DrivenPlaces driven_places_;
   std::optional<std::chrono::nanoseconds> last_folded_;  ///< when that scan ended
 
   ChangeQueue queue_;  ///< ends before what it works on

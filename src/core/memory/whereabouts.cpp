@@ -13,7 +13,7 @@ void WhereaboutsOwner::beginStretch(bool map_is_empty) {
   ++now_.version;
   now_.session = located_ ? kNoSession : kFirstSession;
   now_.map_from_odom.reset();
-  if (!located_ || map_is_empty) now_.map_from_odom = Pose2d{};
+  if (!located_ || (map_is_empty && !driven_)) now_.map_from_odom = Pose2d{};
   now_.apart = false;
   now_.previous = kNoPlace;
   now_.current = kNoPlace;
@@ -37,6 +37,7 @@ Footing WhereaboutsOwner::footing(SessionId next_session) const {
   footing.apart = now_.apart || !now_.map_from_odom;
   footing.previous = previous_;
   footing.stretch = stretch_;
+  footing.driven = driven_;
   return footing;
 }
 
@@ -54,7 +55,7 @@ std::optional<SessionJoin> WhereaboutsOwner::learned(std::uint64_t question, con
     now_.map_from_odom = footing.map_from_odom;
     now_.apart = footing.apart;
   }
-  if (now_.session == footing.session) return std::nullopt;
+  if (driven_ || now_.session == footing.session) return std::nullopt;
   return SessionJoin{footing.session, now_.session,
                      *now_.map_from_odom * footing.map_from_odom.inverse()};
 }
@@ -83,7 +84,7 @@ Settled WhereaboutsOwner::recognized(std::uint64_t question, const Sighting& sig
   newest_answer_ = question;
   ++now_.version;
   Settled settled{false, now_.previous, std::nullopt};
-  if (located_) settled.join = settleFrame(sighting);
+  if (located_ && !driven_) settled.join = settleFrame(sighting);
   standAt(sighting.place,
           {sighting.place.id, sighting.odom_from_scan * sighting.place_from_scan.inverse(),
            sighting.covariance});
@@ -97,6 +98,26 @@ bool WhereaboutsOwner::notRecognized(std::uint64_t question) {
   now_.current = kNoPlace;
   now_.current_label.clear();
   return false;
+}
+
+void WhereaboutsOwner::drive(const std::optional<DriveWhereabouts>& whereabouts,
+                             const Place* current) {
+  driven_ = whereabouts.has_value();
+  if (!driven_) return;
+  ++now_.version;
+  now_.session = whereabouts->session;
+  now_.map_from_odom = whereabouts->map_from_odom;
+  now_.apart = whereabouts->apart;
+  const PlaceId at = current == nullptr ? kNoPlace : current->id;
+  if (at == now_.current) return;
+  newest_answer_ = ++questions_;  // what was asked before is of where the robot was
+  if (at == kNoPlace) {
+    now_.current = kNoPlace;
+    now_.current_label.clear();
+    return;
+  }
+  const Pose2d map_from_odom = now_.map_from_odom.value_or(Pose2d{});
+  standAt(*current, {at, map_from_odom.inverse() * current->map_from_place, {}});
 }
 
 void WhereaboutsOwner::forget(bool map_is_empty) { beginStretch(map_is_empty); }

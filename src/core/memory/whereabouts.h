@@ -33,6 +33,7 @@ struct Footing {
   bool apart = false;             ///< see Whereabouts
   std::optional<Stand> previous;  ///< the place that the new one is linked to
   std::uint64_t stretch = 0;      ///< of odometry without a jump; the owner counts them
+  bool driven = false;            ///< a drive says where the robot is
 };
 
 /// A place that was RECOGNIZED, and the scan by which it was.
@@ -73,6 +74,11 @@ class WhereaboutsOwner {
   /// Returns whether the answer was overtaken.
   bool notRecognized(std::uint64_t question);
 
+  /// A drive says from here on where the robot is, and no answer does; nothing: it has ended.
+  /// `current`: the place at which it is, or nullptr.
+  void drive(const std::optional<DriveWhereabouts>& whereabouts, const Place* current);
+  bool driven() const { return driven_; }
+
   /// What odometry says from here on has nothing to do with what it said before.
   void forget(bool map_is_empty);
 
@@ -85,6 +91,7 @@ class WhereaboutsOwner {
   std::optional<SessionJoin> settleFrame(const Sighting& sighting);
 
   const bool located_;
+  bool driven_ = false;  ///< see drive()
   Whereabouts now_;
   std::optional<Stand> previous_;  ///< of now_.previous
   std::uint64_t stretch_ = 0;

@@ -1,6 +1,5 @@
 #include "node/answer/answer_publisher.h"
 
-#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <ros/console.h>
 #include <std_msgs/String.h>
 
@@ -43,6 +42,11 @@ void AnswerPublisher::overtake() {
   const core::Whereabouts whereabouts = memory_.whereabouts();
   newest_ = whereabouts.version;
   publishCurrentPlaceLocked(whereabouts);
+}
+
+void AnswerPublisher::publishPose(const geometry_msgs::PoseWithCovarianceStamped& pose) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  pose_.publish(pose);
 }
 
 void AnswerPublisher::publishCurrentPlace() {

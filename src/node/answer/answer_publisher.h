@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_NODE_ANSWER_ANSWER_PUBLISHER_H
 #define PLACE_MEMORY_NODE_ANSWER_ANSWER_PUBLISHER_H
 
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <place_memory/Recognition.h>
 #include <ros/node_handle.h>
@@ -34,6 +35,9 @@ class AnswerPublisher {
 
   /// A place was learned, or the robot was carried: answers to what was asked before are overtaken.
   void overtake();
+
+  /// Where a drive has the robot.
+  void publishPose(const geometry_msgs::PoseWithCovarianceStamped& pose);
 
   /// The current place may have gone, or been renamed.
   void publishCurrentPlace();

@@ -85,7 +85,7 @@ void PlaceServices::learn(const LearnPlace::Request& request, LearnPlace::Respon
       takeScan(context_.scans, request.scan_id, response);
   if (!scan) return;
   const core::PlaceMemory::Learned learned =
-      context_.memory.learn(*scan, request.label, request.force != 0);
+      context_.driver.learn(*scan, request.label, request.force != 0);
   context_.publisher.overtake();
   response.place_id = learned.place.id;
   response.label = learned.place.label;
@@ -132,6 +132,9 @@ void PlaceServices::match(const core::Scan& scan, std::optional<double> window,
                               ? "; without a compass any heading was tried"
                               : "; headings near odometry's yaw were tried";
     }
+    if (const auto belief = context_.driver.belief()) {
+      response.belief = context_.drive_publisher.toMessage(*belief, scan.end);
+    }
     context_.publisher.publish(scan, answer, response.recognition);
     if (answer.recognition.verdict == core::Verdict::kRecognized) {
       const core::PlaceMatch& best = answer.recognition.matches.front();
@@ -159,19 +162,19 @@ void PlaceServices::getGraph(const GetGraph::Request& /*request*/, GetGraph::Res
 }
 
 void PlaceServices::rename(const RenamePlace::Request& request, RenamePlace::Response& response) {
-  context_.memory.rename(request.label, request.new_label);
+  context_.driver.rename(request.label, request.new_label);
   context_.publisher.publishCurrentPlace();
   response.message = "renamed " + quoted(request.label) + " to " + quoted(request.new_label);
 }
 
 void PlaceServices::remove(const RemovePlace::Request& request, RemovePlace::Response& response) {
-  context_.memory.remove(request.label);
+  context_.driver.remove(request.label);
   context_.publisher.publishCurrentPlace();
   response.message = "removed " + quoted(request.label);
 }
 
 void PlaceServices::clear(const Clear::Request& /*request*/, Clear::Response& response) {
-  const std::size_t count = context_.memory.clear();
+  const std::size_t count = context_.driver.clear();
   context_.publisher.overtake();
   response.message = "removed " + placesInWords(count);
 }

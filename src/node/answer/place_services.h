@@ -21,6 +21,8 @@
 #include "node/answer/answer_publisher.h"
 #include "node/answer/kept_scans.h"
 #include "node/base/guarded_queue.h"
+#include "node/drive/drive_publisher.h"
+#include "node/drive/map_driver.h"
 #include "node/scan/sensor_examiner.h"
 #include "place_memory/core/place_memory.h"
 
@@ -38,6 +40,8 @@ class PlaceServices {
     AnswerPublisher& publisher;
     const KeptScans& scans;
     SensorExaminer& examiner;
+    MapDriver& driver;
+    const DrivePublisher& drive_publisher;
     const config::Parameters& parameters;
     std::string store_problem;  ///< why places are not kept, a sentence for LearnPlace; empty: kept
   };

@@ -7,6 +7,7 @@ namespace place_memory::node {
 
 // Relative.
 constexpr char kCommandTopic[] = "cmd_vel";
+constexpr char kInitialPoseTopic[] = "initialpose";
 
 // Private: below the node's own name.
 constexpr char kScanAction[] = "scan";
@@ -19,6 +20,9 @@ constexpr char kPlaceMarkersTopic[] = "place_markers";
 constexpr char kRecognitionTopic[] = "recognition";
 constexpr char kCurrentPlaceTopic[] = "current_place";
 constexpr char kPoseTopic[] = "pose";
+constexpr char kModeTopic[] = "mode";
+constexpr char kBeliefTopic[] = "belief";
+constexpr char kEventsTopic[] = "events";
 
 constexpr char kLearnPlaceService[] = "learn_place";
 constexpr char kRecognizePlaceService[] = "recognize_place";
@@ -31,6 +35,8 @@ constexpr char kPlanRouteService[] = "plan_route";
 constexpr char kReportTraversalService[] = "report_traversal";
 constexpr char kSetLinkService[] = "set_link";
 constexpr char kMakePlanService[] = "make_plan";
+constexpr char kSetModeService[] = "set_mode";
+constexpr char kRelocalizeService[] = "relocalize";
 
 }  // namespace place_memory::node
 

@@ -12,8 +12,9 @@ constexpr std::uint32_t kQueueLength = 100;
 
 }  // namespace
 
-TransformInput::TransformInput(const ros::NodeHandle& names, tf2::BufferCore& buffer)
-    : buffer_(buffer), names_(names) {
+TransformInput::TransformInput(const ros::NodeHandle& names, tf2::BufferCore& buffer,
+                               Listener listener)
+    : buffer_(buffer), listener_(std::move(listener)), names_(names) {
   names_.setCallbackQueue(&queue_);
   const auto subscribe = [this](const char* topic, bool is_static) {
     const boost::function<void(const tf2_msgs::TFMessage::ConstPtr&)> take =
@@ -33,6 +34,9 @@ TransformInput::~TransformInput() {
 }
 
 void TransformInput::add(const tf2_msgs::TFMessage& message, bool is_static) {
+  if (listener_) {
+    for (const auto& transform : message.transforms) listener_(transform, is_static);
+  }
   const std::chrono::nanoseconds now = rosNow();
   // Before simulated time runs nobody can say which stamps may be.
   if (now.count() == 0 && !is_static) return;

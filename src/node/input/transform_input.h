@@ -7,6 +7,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -20,8 +21,12 @@ namespace place_memory::node {
 /// tf2's own listener throws on some stamps, and forgets everything where time goes back a little.
 class TransformInput {
  public:
-  /// The buffer must outlive it.
-  TransformInput(const ros::NodeHandle& names, tf2::BufferCore& buffer);
+  /// Is told of every transform, on the input's thread; where it is a static one, so it says.
+  using Listener = std::function<void(const geometry_msgs::TransformStamped&, bool is_static)>;
+
+  /// The buffer must outlive it. `listener` may be null.
+  TransformInput(const ros::NodeHandle& names, tf2::BufferCore& buffer,
+                 Listener listener = nullptr);
   ~TransformInput();
   TransformInput(const TransformInput&) = delete;
   TransformInput& operator=(const TransformInput&) = delete;
@@ -40,6 +45,7 @@ class TransformInput {
   void add(const tf2_msgs::TFMessage& message, bool is_static);
 
   tf2::BufferCore& buffer_;
+  const Listener listener_;
 
   mutable std::mutex mutex_;  // guards the next three
   core::RecentCount count_;   // by a clock that nobody sets

@@ -113,6 +113,7 @@ void ScanServer::onMessage(const std::string& topic, const RawMessage& message) 
   const std::chrono::nanoseconds now = rosNow();
   const std::lock_guard<std::mutex> lock(mutex_);
   const Taken taken = intake_.take(topic, readMessage(message), now, buffer_);
+  if (callbacks_.taken) callbacks_.taken(taken);
   for (const geometry_msgs::TransformStamped& transform : taken.transforms) {
     if (now.count() == 0) break;  // before simulated time runs nobody knows which stamps may be
     const auto problem = addTransform(transform, false, now, buffer_);

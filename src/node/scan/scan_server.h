@@ -40,7 +40,8 @@ class ScanServer {
   struct Callbacks {
     std::function<void(std::shared_ptr<const core::Scan>)> finished;  ///< a scan succeeded
     std::function<void(const core::Scan&)> partial;  ///< it grows, at most twice a second
-    std::function<void()> time_jump;  ///< ROS time ran backwards; tf is already cleared
+    std::function<void()> time_jump;          ///< ROS time ran backwards; tf is already cleared
+    std::function<void(const Taken&)> taken;  ///< what a message said, scan or no scan
   };
 
   /// `names` resolves relative topics, `private_names` the action. The other arguments must outlive

@@ -1,0 +1,132 @@
+#ifndef PLACE_MEMORY_NODE_DRIVE_MAP_DRIVER_H
+#define PLACE_MEMORY_NODE_DRIVE_MAP_DRIVER_H
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "config/parameters.h"
+#include "core/drive/passage_watch.h"
+#include "core/mapping/mapper.h"
+#include "node/drive/drive_events.h"
+#include "node/drive/drive_input.h"
+#include "node/drive/map_correction.h"
+#include "node/drive/mapper_feed.h"
+#include "place_memory/core/place_memory.h"
+
+namespace place_memory::node {
+
+/// Drives the map along with the robot: feeds a mapper in the order of stamps with what the robot
+/// senses, and has the memory follow what it makes of that.
+///
+/// Works on a thread of its own; what is asked for waits for a scan that is being worked out, some
+/// milliseconds, and sometimes for the disk. Thread-safe.
+class MapDriver {
+ public:
+  /// What came of the drive up to a pose of odometry.
+  struct Step {
+    OdometryMoment now;
+    /// Odometry's frame in the map as others are given it; nothing: none is.
+    std::optional<core::Pose2d> map_from_odom;
+    bool became_known = false;         ///< with this step; or anew
+    std::array<double, 9> covariance;  ///< of the robot in the map: row-major over x, y, yaw
+    std::chrono::nanoseconds scan_stamp{0};
+    std::optional<core::BeliefSummary> belief;  ///< after a scan
+  };
+
+  /// Called on the driver's thread, or on that of who asks for something.
+  struct Callbacks {
+    std::function<void(const Step&)> step;
+    std::function<void(const DriveEvent&)> event;
+    std::function<void(config::Mode)> mode;  ///< it is this one from now on
+  };
+
+  /// All must outlive it. The mode is off at first.
+  MapDriver(const config::Parameters& parameters, core::PlaceMemory& memory, Callbacks callbacks);
+  /// Keeps the map.
+  ~MapDriver();
+  MapDriver(const MapDriver&) = delete;
+  MapDriver& operator=(const MapDriver&) = delete;
+
+  DriveInput& input() { return input_; }
+
+  /// False where there is no place to localize by; the mode is then as it was. Throws
+  /// PlaceMemoryError where the map cannot be kept or read, and std::invalid_argument where what is
+  /// kept of it cannot be used.
+  bool setMode(config::Mode mode);
+  config::Mode mode() const;
+
+  /// False: the mode is off.
+  bool relocalize();
+  /// A person, or another program, says where the robot is now. False: the mode is off, or odometry
+  /// has not been heard yet.
+  bool setPose(const core::Pose2d& map_from_base);
+
+  /// The transform map_frame -> odom_frame; nothing while it is not known, or the mode is off.
+  std::optional<core::Pose2d> mapFromOdom() const;
+  /// After the newest scan; nothing: there was none, or the mode is off.
+  std::optional<core::BeliefSummary> belief() const;
+
+  /// As PlaceMemory has them; the drive's map follows at once.
+  core::PlaceMemory::Learned learn(const core::Scan& scan, const std::string& label, bool force);
+  void rename(const std::string& label, const std::string& new_label);
+  void remove(const std::string& label);
+  std::size_t clear();
+
+ private:
+  struct Run;
+
+  void work();
+  void take(DriveInput::Batch batch);
+  void addStanding(const core::Scan& scan);
+  void onStep(const OdometryMoment& now, bool jumped);
+  void follow(const std::vector<core::ScanDecision>& decisions);
+  /// Links learn from the places that the robot comes by.
+  void watch(const core::ScanDecision& decision);
+  void begin(core::MapperMode mode);
+  void end();
+  void setModeTo(config::Mode mode);
+  /// In mode map. Throws PlaceMemoryError.
+  void keep();
+  /// What it throws becomes an event.
+  void tryKeeping(const std::function<void()>& keeping);
+  void keepIfDue();
+  void say(std::uint8_t kind, const std::string& sentence) const;
+  std::optional<core::PlaceId> idOf(const std::string& label) const;
+
+  const config::Parameters& parameters_;
+  core::PlaceMemory& memory_;
+  const Callbacks callbacks_;
+  DriveInput input_;
+
+  std::mutex mutex_;  // guards the next ones; who holds it may take the state's, not the reverse
+  std::unique_ptr<Run> run_;  // nullptr: off
+  /// Odometry's frame in the map, as it was known before the drive began.
+  std::optional<core::Pose2d> known_before_;
+  core::PlaceId current_ = core::kNoPlace;
+  core::PassageWatch passages_{"driving"};
+  bool changed_ = false;              // since the map was kept
+  std::chrono::nanoseconds kept_{0};  // steady
+  std::string keep_problem_;  // why it could not be kept when it was tried last; empty: it could
+  std::vector<std::uint64_t> standing_;  // scans that are nodes
+
+  mutable std::mutex state_mutex_;  // guards the next ones
+  config::Mode mode_ = config::Mode::kOff;
+  MapCorrection correction_;
+  std::optional<core::BeliefSummary> belief_;
+  bool stopped_ = false;
+
+  std::thread thread_;
+};
+
+}  // namespace place_memory::node
+
+#endif  // PLACE_MEMORY_NODE_DRIVE_MAP_DRIVER_H

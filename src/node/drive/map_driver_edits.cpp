@@ -1,0 +1,113 @@
+// How the drive's map and the memory's follow each other.
+#include <place_memory/MapEvent.h>
+#include <ros/console.h>
+
+#include <exception>
+
+#include "node/base/ros_time.h"
+#include "node/drive/map_driver.h"
+#include "node/drive/map_driver_run.h"
+
+namespace place_memory::node {
+namespace {
+
+// Moved poses are written so often at the most.
+constexpr std::chrono::nanoseconds kBetweenKeeps = std::chrono::seconds(10);
+
+}  // namespace
+
+void MapDriver::keep() {
+  if (mode() != config::Mode::kMap) return;
+  memory_.keep(run_->mapper.map());
+  kept_ = steadyNow();
+  changed_ = false;
+}
+
+void MapDriver::tryKeeping(const std::function<void()>& keeping) {
+  std::string problem;
+  try {
+    keeping();
+  } catch (const core::PlaceMemoryError& error) {
+    problem = error.what();
+  }
+  // It is tried again and again, and said once.
+  if (!problem.empty() && keep_problem_.empty()) {
+    say(MapEvent::TROUBLE, "the map cannot be kept: " + problem);
+  }
+  keep_problem_ = problem;
+}
+
+void MapDriver::watch(const core::ScanDecision& decision) {
+  using Kind = core::ScanDecision::Kind;
+  if (decision.kind == Kind::kLost) passages_.lost();
+  const bool is_there = decision.kind == Kind::kNewPlace || decision.kind == Kind::kTracked ||
+                        decision.kind == Kind::kClosed;
+  if (!is_there) return;
+  const auto came = passages_.at(decision.place, decision.stamp);
+  if (!came) return;
+  try {
+    memory_.reportTraversal(*came);
+  } catch (const core::PlaceMemoryError&) {
+    // Not linked, or not kept yet: there is nothing that could learn. That the store fails is said
+    // by whoever watches it.
+  }
+}
+
+void MapDriver::keepIfDue() {
+  const std::chrono::nanoseconds now = steadyNow();
+  if (!changed_ || now - kept_ < kBetweenKeeps) return;
+  kept_ = now;
+  tryKeeping([this] { keep(); });
+}
+
+core::PlaceMemory::Learned MapDriver::learn(const core::Scan& scan, const std::string& label,
+                                            bool force) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!run_) return memory_.learn(scan, label, force);
+  addStanding(scan);
+  follow({});
+  // The place gets an id that none of the drive's has.
+  if (mode() == config::Mode::kMap) memory_.keepNewPlaces(run_->mapper.map());
+  core::PlaceMemory::Learned learned = memory_.learn(scan, label, force);
+  run_->mapper.adopt(learned.place.id, scan.end);
+  changed_ = true;
+  return learned;
+}
+
+void MapDriver::rename(const std::string& label, const std::string& new_label) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  memory_.rename(label, new_label);
+  if (const auto id = idOf(new_label); run_ && id) run_->mapper.setNamed(*id);
+}
+
+void MapDriver::remove(const std::string& label) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto id = idOf(label);
+  memory_.remove(label);
+  if (!run_ || !id) return;
+  run_->mapper.forget(*id);
+  if (current_ == *id) current_ = core::kNoPlace;
+  changed_ = true;
+}
+
+std::size_t MapDriver::clear() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::size_t count = memory_.clear();
+  if (!run_) return count;
+  if (mode() == config::Mode::kMap) {
+    begin(core::MapperMode::kMap);
+  } else {
+    end();  // without a place there is nothing to localize by
+    setModeTo(config::Mode::kOff);
+  }
+  return count;
+}
+
+std::optional<core::PlaceId> MapDriver::idOf(const std::string& label) const {
+  for (const core::Place& place : memory_.map().places) {
+    if (place.label == label) return place.id;
+  }
+  return std::nullopt;
+}
+
+}  // namespace place_memory::node
