@@ -23,6 +23,7 @@ namespace {
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 const ros::WallDuration kAtOnce(0.001);
 constexpr int kTicksBetweenWarnings = 10;
+constexpr double kWorthARoute = 0.02;  // probability of a place
 constexpr std::chrono::nanoseconds kPosePeriod = std::chrono::milliseconds(100);
 
 ros::NodeHandle withQueue(const ros::NodeHandle& names, ros::CallbackQueueInterface& queue) {
@@ -69,7 +70,8 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       drive_services_(names_, private_names_, driver_, *memory_, parameters_),
       services_(private_names_, {*memory_, answer_publisher_, scans_, examiner_, driver_,
                                  drive_publisher_, parameters_, store_problem_}),
-      route_services_(private_names_, *memory_, parameters_) {
+      route_services_(
+          private_names_, *memory_, [this] { return believedPlaces(); }, parameters_) {
   setUpDiagnostics();
   sayWhatIsKnown();
   drive_publisher_.publish(config::Mode::kOff);
@@ -178,6 +180,16 @@ void PlaceMemoryNode::publishStep(const MapDriver::Step& step) {
   if (!pose) return;
   published_pose_ = step.now.stamp;
   answer_publisher_.publishPose(*pose);
+}
+
+std::vector<core::RouteStart> PlaceMemoryNode::believedPlaces() const {
+  std::vector<core::RouteStart> places;
+  const std::optional<core::BeliefSummary> belief = driver_.belief();
+  if (!belief) return places;
+  for (const auto& [id, probability] : belief->places) {
+    if (probability >= kWorthARoute) places.push_back({id, probability});
+  }
+  return places;
 }
 
 std::optional<core::Pose2d> PlaceMemoryNode::mapFromOdom() const {

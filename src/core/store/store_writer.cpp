@@ -249,9 +249,8 @@ void StoreWriter::operator()(const LinkLearned& edit) {
 }
 
 void StoreWriter::operator()(const MapCleared& /*edit*/) {
-  for (const char* table :
-       {"place", "link", "grid", "planes", "readings", "node", "history", "tie", "wheels",
-        "traversal"}) {
+  for (const char* table : {"place", "link", "grid", "planes", "readings", "node", "history", "tie",
+                            "wheels", "traversal"}) {
     database_.execute(std::string("DELETE FROM ") + table);
   }
   planes_.close();
