@@ -190,6 +190,16 @@ void PlaceMemoryNode::publishStep(const MapDriver::Step& step) {
   answer_publisher_.publishPose(*pose);
 }
 
+std::vector<core::RouteStart> PlaceMemoryNode::believedPlaces() const {
+  std::vector<core::RouteStart> places;
+  const std::optional<core::BeliefSummary> belief = driver_.belief();
+  if (!belief) return places;
+  for (const auto& [id, probability] : belief->places) {
+    if (probability >= kWorthARoute) places.push_back({id, probability});
+  }
+  return places;
+}
+
 std::optional<core::Pose2d> PlaceMemoryNode::mapFromOdom() const {
   if (driver_.mode() != config::Mode::kOff) return driver_.mapFromOdom();
   const core::Whereabouts whereabouts = memory_->whereabouts();

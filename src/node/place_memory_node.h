@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "config/parameters.h"
 #include "node/answer/answer_publisher.h"
@@ -55,6 +56,7 @@ class PlaceMemoryNode {
   void dropScans();
   std::optional<core::Pose2d> locateRobot() const;
   std::optional<core::Pose2d> mapFromOdom() const;
+  std::vector<core::RouteStart> believedPlaces() const;
   void publishStep(const MapDriver::Step& step);
   void setUpDiagnostics();
   void onDiagnosticsTimer();

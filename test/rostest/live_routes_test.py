@@ -37,6 +37,8 @@ class LiveRoutesTest(live_test.LiveTestCase):
         response = self.plan("a", second=True)
         self.assert_answer(response, PlanRouteResponse.OK)
         self.assertEqual(response.route.labels, ["c", "b", "a"])
+        self.assertAlmostEqual(response.expected_cost, response.route.cost)
+        self.assertEqual(response.stranded, 0.0)
         self.assertEqual(response.route.ids, (3, 2, 1))
         xs = [pose.pose.position.x for pose in response.route.path.poses]
         for x, expected in zip(xs, (6.0, 3.0, 0.0)):

@@ -16,7 +16,7 @@ namespace place_memory::core {
 /// get to zero.)
 struct LinkLearningOptions {
   double half_life = 172800.0;  ///< [s], > 0
-  double speed = 0.3;          ///< at which a link is taken to be driven until it was timed [m/s], > 0
+  double speed = 0.3;  ///< at which a link is taken to be driven until it was timed [m/s], > 0
 };
 
 constexpr double kLeastOdds = 0.05;

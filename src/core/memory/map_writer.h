@@ -32,8 +32,8 @@ struct MemoryState {
 
 /// Makes changes of the map: in store, map, index and whereabouts together, or in none of them.
 ///
-/// All but listen(), watch(), health() and now() is for one thread, which alone changes the map: it may
-/// read MemoryState::map without the mutex.
+/// All but listen(), watch(), health() and now() is for one thread, which alone changes the map: it
+/// may read MemoryState::map without the mutex.
 class MapWriter {
  public:
   using Clock = std::function<std::chrono::nanoseconds()>;

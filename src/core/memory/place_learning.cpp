@@ -113,8 +113,8 @@ PlaceMemory::Learned PlaceMemory::Impl::learnNow(const Scan& scan, const std::st
         read([&](const MemoryState&) { return wayTo(scan, previous->place, place.id); });
     PlaceLink link = linkTo(place.id, scan.odom_from_scan, *previous, located_, scan.end);
     link.forward = {};
-    link.forward = learned(link.forward, came, expectedTime(link, link.forward, links_),
-                           links_.half_life);
+    link.forward =
+        learned(link.forward, came, expectedTime(link, link.forward, links_), links_.half_life);
     edits.emplace_back(LinkAdded{link, came});
   }
   std::optional<SessionJoin> joined;

@@ -75,7 +75,7 @@ class PlaceMemory::Impl {
     PlaceId place = kNoPlace;  ///< RECOGNIZED
     Settled settled;
     std::chrono::nanoseconds scan_end{0};
-    std::optional<Traversal> came;  ///< from the place where it was before to this one
+    std::optional<Traversal> came;       ///< from the place where it was before to this one
     std::optional<EvidenceGrid> sensed;  ///< in the place's frame; none: the place does not adapt
     double retention = 0.0;              ///< of the old evidence in that place
   };

@@ -73,8 +73,9 @@ Vertex anyVertex(const RouteGraph& graph, const LeastGraph& least) {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto vertex = static_cast<Vertex>(graph.size() * (2 * i + 1) / 8);
     const std::vector<float> distances = least.distancesFrom(vertex);
-    const auto reached = static_cast<std::size_t>(std::count_if(
-        distances.begin(), distances.end(), [](float distance) { return std::isfinite(distance); }));
+    const auto reached = static_cast<std::size_t>(
+        std::count_if(distances.begin(), distances.end(),
+                      [](float distance) { return std::isfinite(distance); }));
     if (reached > most) best = vertex;
     most = std::max(most, reached);
     if (2 * reached > graph.size()) break;

@@ -130,8 +130,9 @@ void RouteGraph::setArc(Vertex from, Vertex to, double cost) {
 
 void RouteGraph::removeArc(Vertex from, Vertex to) {
   Arcs& arcs = arcs_[from];
-  arcs.erase(std::remove_if(arcs.begin(), arcs.end(), [to](const Arc& arc) { return arc.to == to; }),
-             arcs.end());
+  arcs.erase(
+      std::remove_if(arcs.begin(), arcs.end(), [to](const Arc& arc) { return arc.to == to; }),
+      arcs.end());
 }
 
 double RouteGraph::costOf(const PlaceLink& link, const LinkDirection& direction) const {

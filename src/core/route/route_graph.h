@@ -36,8 +36,8 @@ class RouteGraph {
   void build(const PlaceMap& map);
   /// After the map has made the change.
   void follow(const MapChange& change, const PlaceMap& map);
-  /// Costs as they are at `now`. All are computed anew once evidence has aged by more than a percent
-  /// or more than a 64th of the links have learned since; of others those that learned are.
+  /// Costs as they are at `now`. All are computed anew once evidence has aged by more than a
+  /// percent or more than a 64th of the links have learned since; of others those that learned are.
   void refresh(const PlaceMap& map, std::chrono::nanoseconds now);
 
   /// Of all vertices, also of places that are gone.

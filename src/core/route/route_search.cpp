@@ -29,8 +29,7 @@ double RouteSearch::extraCost(const Limits& limits, Vertex from, Vertex to) cons
   if (limits.shunned == nullptr) return 0.0;
   const auto one = shunned_at_.find(from), other = shunned_at_.find(to);
   if (one == shunned_at_.end() || other == shunned_at_.end()) return 0.0;
-  const bool is_shared =
-      one->second + 1 == other->second || other->second + 1 == one->second;
+  const bool is_shared = one->second + 1 == other->second || other->second + 1 == one->second;
   return is_shared ? kSharedLink : 0.0;
 }
 

@@ -184,12 +184,11 @@ std::optional<LinkRow> readLink(const SqliteStatement& row) {
   for (double& element : link.covariance) element = covariance.take<double>();
   link.forward = directionAt(row, 7);
   link.backward = directionAt(row, 10);
-  const bool sound =
-      covariance.good() && covariance.left() == 0 &&
-      checksumIs(row, kLinkChecksumColumn,
-                 checksumOf(result, bytesAt(row, 13), bytesAt(row, 14))) &&
-      unpackHabit(row, 13, link.forward) && unpackHabit(row, 14, link.backward) && isSound(link) &&
-      result.id >> kLinkShift == link.first;
+  const bool sound = covariance.good() && covariance.left() == 0 &&
+                     checksumIs(row, kLinkChecksumColumn,
+                                checksumOf(result, bytesAt(row, 13), bytesAt(row, 14))) &&
+                     unpackHabit(row, 13, link.forward) && unpackHabit(row, 14, link.backward) &&
+                     isSound(link) && result.id >> kLinkShift == link.first;
   return sound ? std::optional<LinkRow>(result) : std::nullopt;
 }
 

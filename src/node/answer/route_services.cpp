@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <utility>
 
 #include "node/answer/answer_words.h"
 #include "node/answer/guarded_answer.h"
@@ -42,8 +43,8 @@ std::string oddsInWords(double odds) {
 }  // namespace
 
 RouteServices::RouteServices(const ros::NodeHandle& private_node, core::PlaceMemory& memory,
-                             const config::Parameters& parameters)
-    : memory_(memory), parameters_(parameters), spinner_(1, &queue_) {
+                             Belief belief, const config::Parameters& parameters)
+    : memory_(memory), belief_(std::move(belief)), parameters_(parameters), spinner_(1, &queue_) {
   ros::NodeHandle node(private_node);
   node.setCallbackQueue(&queue_);
   advertise(node, kPlanRouteService, &RouteServices::plan);
@@ -115,6 +116,7 @@ void RouteServices::plan(const PlanRoute::Request& request, PlanRoute::Response&
       return;
     }
   }
+  if (!query.start) query.starts = belief_();
   query.second = request.second != 0;
   const core::RoutePlan plan = memory_.plan(query);
   response.status = toStatus(plan.answer.status);
@@ -124,6 +126,8 @@ void RouteServices::plan(const PlanRoute::Request& request, PlanRoute::Response&
   }
   response.route = toMessage(plan.answer.best, plan.best, parameters_.map_frame);
   response.message = inWords(plan.answer.best, plan.best);
+  response.expected_cost = plan.answer.expected_cost;
+  response.stranded = plan.answer.stranded;
   if (plan.answer.second) {
     response.second = toMessage(*plan.answer.second, plan.second, parameters_.map_frame);
     response.shared_links = static_cast<std::uint32_t>(plan.answer.shared_links);
@@ -179,6 +183,7 @@ void RouteServices::makePlan(const nav_msgs::GetPlan::Request& request,
   }
   core::RouteQuery query;
   if (has_start) query.start = core::RouteEnd{core::kNoPlace, "", start};
+  if (!has_start) query.starts = belief_();
   query.goal.pose = goal;
   query.second = false;
   const core::RoutePlan plan = memory_.plan(query);

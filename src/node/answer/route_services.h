@@ -9,6 +9,7 @@
 #include <ros/service_server.h>
 #include <ros/spinner.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,8 +24,11 @@ namespace place_memory::node {
 /// thread of their own, so that a plan comes while a scan is matched or the robot drives.
 class RouteServices {
  public:
-  /// Both have to outlive it.
-  RouteServices(const ros::NodeHandle& private_node, core::PlaceMemory& memory,
+  /// Where the robot may be; nothing: as the memory has it.
+  using Belief = std::function<std::vector<core::RouteStart>()>;
+
+  /// All have to outlive it.
+  RouteServices(const ros::NodeHandle& private_node, core::PlaceMemory& memory, Belief belief,
                 const config::Parameters& parameters);
   /// Waits for the thread.
   ~RouteServices();
@@ -49,6 +53,7 @@ class RouteServices {
   std::optional<core::Pose2d> poseIn(const geometry_msgs::PoseStamped& pose) const;
 
   core::PlaceMemory& memory_;
+  const Belief belief_;
   const config::Parameters& parameters_;
   // The spinner stops before the queue it works on goes.
   GuardedQueue queue_{"routes"};

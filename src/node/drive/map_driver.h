@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "config/parameters.h"
+#include "core/drive/passage_watch.h"
 #include "core/mapping/mapper.h"
 #include "node/drive/drive_events.h"
 #include "node/drive/drive_input.h"
@@ -97,6 +98,8 @@ class MapDriver {
   void addStanding(const core::Scan& scan);
   void onStep(const OdometryMoment& now, bool jumped);
   void follow(const std::vector<core::ScanDecision>& decisions);
+  /// Links learn from the places that the robot comes by.
+  void watch(const core::ScanDecision& decision);
   void begin(core::MapperMode mode);
   void end();
   void setModeTo(config::Mode mode);
@@ -119,6 +122,7 @@ class MapDriver {
   /// Odometry's frame in the map, as it was known before the drive began.
   std::optional<core::Pose2d> known_before_;
   core::PlaceId current_ = core::kNoPlace;
+  core::PassageWatch passages_{"driving"};
   bool changed_ = false;              // since the map was kept
   std::chrono::nanoseconds kept_{0};  // steady
   std::string keep_problem_;  // why it could not be kept when it was tried last; empty: it could

@@ -37,6 +37,22 @@ void MapDriver::tryKeeping(const std::function<void()>& keeping) {
   keep_problem_ = problem;
 }
 
+void MapDriver::watch(const core::ScanDecision& decision) {
+  using Kind = core::ScanDecision::Kind;
+  if (decision.kind == Kind::kLost) passages_.lost();
+  const bool is_there = decision.kind == Kind::kNewPlace || decision.kind == Kind::kTracked ||
+                        decision.kind == Kind::kClosed;
+  if (!is_there) return;
+  const auto came = passages_.at(decision.place, decision.stamp);
+  if (!came) return;
+  try {
+    memory_.reportTraversal(*came);
+  } catch (const core::PlaceMemoryError&) {
+    // Not linked, or not kept yet: there is nothing that could learn. That the store fails is said
+    // by whoever watches it.
+  }
+}
+
 void MapDriver::keepIfDue() {
   const std::chrono::nanoseconds now = steadyNow();
   if (!changed_ || now - kept_ < kBetweenKeeps) return;

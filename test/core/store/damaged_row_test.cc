@@ -20,14 +20,14 @@ const Damage kRowDamages[] = {
     {"LinkTwice",
      sql("INSERT INTO link SELECT id + 5, first_id, second_id, x, y, yaw, covariance, "
          "forward_succeeded, forward_failed, forward_last_ns, backward_succeeded, "
-         "backward_failed, backward_last_ns, forward_habit, backward_habit, checksum FROM link WHERE second_id = 2"),
+         "backward_failed, backward_last_ns, forward_habit, backward_habit, checksum FROM link "
+         "WHERE second_id = 2"),
      "a link of place 1 is damaged"},
     {"LinkToNowhere", sql("UPDATE link SET second_id = 77 WHERE second_id = 2"),
      "a link of place 1 is damaged"},
     {"LinkElsewhere", sql("UPDATE link SET x = x + 1 WHERE second_id = 2"),
      "a link of place 1 is damaged"},
-    {"OtherHabitOfALink",
-     sql("UPDATE link SET forward_habit = backward_habit WHERE second_id = 2"),
+    {"OtherHabitOfALink", sql("UPDATE link SET forward_habit = backward_habit WHERE second_id = 2"),
      "a link of place 1 is damaged"},
     {"NoHabitOfALink", sql("UPDATE link SET forward_habit = x'' WHERE second_id = 2"),
      "a link of place 1 is damaged"},

@@ -63,7 +63,8 @@ inline PlaceId add(PlaceStore& store, const Place& place, const EvidenceGrid& gr
                    PlaceId came_from) {
   const PlaceId id = store.nextId();
   std::vector<MapEdit> edits{addition(id, place, grid)};
-  if (came_from != kNoPlace) edits.emplace_back(LinkAdded{makeLink(came_from, id), makeTraversal(came_from, id)});
+  if (came_from != kNoPlace)
+    edits.emplace_back(LinkAdded{makeLink(came_from, id), makeTraversal(came_from, id)});
   commit(store, std::move(edits));
   return id;
 }

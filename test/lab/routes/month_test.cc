@@ -43,7 +43,8 @@ TEST(DoorWorld, DependsOnSeedAndTimeAlone) {
       EXPECT_EQ(one.isOpen(i, time), same.isOpen(i, time));
       if (one.isOpen(i, time)) ++open;
     }
-    EXPECT_NEAR(static_cast<double>(open) / kHours, one.share(i), 0.06);
+    EXPECT_NEAR(static_cast<double>(open) / kHours, one.share(i),
+                0.09);  // doors open between hours
     if (!differs) differs = one.passages()[i].time != other.passages()[i].time;
   }
   EXPECT_TRUE(differs);
