@@ -27,6 +27,7 @@ const ros::WallDuration kDiagnosticsPeriod(1.0);
 const ros::WallDuration kAtOnce(0.001);
 constexpr int kTicksBetweenWarnings = 10;
 constexpr double kScanLevel = 0.025;  // of its cells in rviz, above those of a recalled place [m]
+constexpr double kWorthARoute = 0.02;          // probability of a place
 constexpr std::chrono::nanoseconds kPosePeriod = std::chrono::milliseconds(100);
 
 ros::NodeHandle withQueue(const ros::NodeHandle& names, ros::CallbackQueueInterface& queue) {
@@ -75,7 +76,8 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       drive_services_(names_, private_names_, driver_, *memory_, parameters_),
       services_(private_names_, {*memory_, answer_publisher_, scans_, examiner_, driver_,
                                  drive_publisher_, parameters_, store_problem_}),
-      route_services_(private_names_, *memory_, parameters_),
+      route_services_(
+          private_names_, *memory_, [this] { return believedPlaces(); }, parameters_),
       store_services_(private_names_, *memory_, answer_publisher_, parameters_) {
   setUpDiagnostics();
   sayWhatIsKnown();
