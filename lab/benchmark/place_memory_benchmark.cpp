@@ -80,6 +80,7 @@ int main(int argc, char** argv) {
     registerRecognition(setting);
     registerStrangers(setting);
     registerStore(setting);
+    registerDriving(setting);
     ::benchmark::RunSpecifiedBenchmarks();
   } catch (const std::exception& error) {
     std::cerr << "place_memory_benchmark: " << error.what() << '\n';

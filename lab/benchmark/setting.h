@@ -59,6 +59,7 @@ void registerParts(Setting& setting);
 void registerRecognition(Setting& setting);
 void registerStrangers(Setting& setting);
 void registerStore(Setting& setting);
+void registerDriving(Setting& setting);
 
 }  // namespace place_memory::measure
 

@@ -46,7 +46,7 @@ class Smoke(unittest.TestCase):
         for name in ("evaluation/one", "evaluation/portable", "preparation/local",
                      "preparation/any", "grid", "yardstick/local/21", "yardstick/any/21",
                      "recognition/local/21", "recognition/any/21", "full_search/local/21",
-                     "full_search/any/21"):
+                     "full_search/any/21", "loop/500"):
             self.assertGreater(self.rows[name]["real_time"], 0.0, name)
 
     def test_reports_accuracy_beside_time(self):
@@ -67,6 +67,8 @@ class Smoke(unittest.TestCase):
             self.assertIn("| local   | 21 ", file.read())
         with open(os.path.join(self.folder.name, "targets.md")) as file:
             self.assertIn("same best place as full search, 21 places", file.read())
+        with open(os.path.join(self.folder.name, "driving.md")) as file:
+            self.assertIn("| a loop of 500 places |", file.read())
 
     def test_draws(self):
         image = os.path.join(self.folder.name, "growth.png")
