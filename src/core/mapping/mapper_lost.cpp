@@ -12,7 +12,6 @@ constexpr double kSurelyAnchored = 12.0;
 constexpr double kSurelyElsewhere = 0.82;  ///< probability of another place
 constexpr double kSurelyLost = 0.98;
 constexpr double kFarthestWay = 60.0;  ///< ways through the graph that are followed [m]
-constexpr double kRegion = 1.0;        ///< of a place, for the belief [m]
 constexpr std::size_t kMostTold = 32;  ///< places of a belief
 
 }  // namespace
@@ -22,9 +21,10 @@ PlaceBelief::Map Mapper::beliefMap() const {
   const PlaceMatcher* matcher = shelf_.matcher(kMapSession);
   map.places = matcher ? matcher->size() : 0;
   map.map_from_place = [this](PlaceId id) { return graph_.node(shelf_.nodeOf(id)).pose; };
-  map.nearest = [this](const Pose2d& pose) {
-    const std::vector<PlaceShelf::Near> near = shelf_.near(pose, kMapSession, kRegion, true);
-    return near.empty() ? kNoPlace : near.front().id;
+  const bool compass = !graph_.nodes().empty() && graph_.nodes().back().compass.has_value();
+  map.sigma = [compass](double way) { return positionSigma(way, compass); };
+  map.near = [this](const Pose2d& pose, double radius) {
+    return shelf_.near(pose, kMapSession, radius, true);
   };
   return map;
 }
@@ -35,8 +35,9 @@ void Mapper::believe(NodeIndex at, const std::vector<PlaceFit>& fits, const Laid
   const double moved = node.before ? node.last_way - graph_.node(*node.before).last_way : stretch;
   const PlaceBelief::Map map = beliefMap();
   if (node.before) {
-    belief_.predict(graph_.node(*node.before).pose.inverse() * scan.map_from_base,
-                    std::min(1.0, moved), map);
+    belief_.predict({graph_.node(*node.before).pose.inverse() * scan.map_from_base, node.motion_way,
+                     std::min(1.0, moved)},
+                    map);
   }
   std::vector<BeliefMatch> matches;
   double known = 0.0;
