@@ -169,10 +169,9 @@ std::vector<BeliefAnswer> followDrive(const MatchedDrive& drive,
     belief.measure(scan.matches, scan.known, 1.0, map);
     BeliefAnswer& answer = answers.emplace_back();
     answer.single = !scan.matches.empty() && accepts(scan, labelOf(scan.matches.front().id));
-    const core::PlaceBelief::Cluster where = belief.largest(map);
+    const core::PlaceBelief::Cluster where = belief.nearest(map);
     if (where.place == core::kNoPlace) continue;
-    const auto near = map.near(where.map_from_base, options.region);
-    answer.right = accepts(scan, labelOf(near.empty() ? where.place : near.front().id));
+    answer.right = accepts(scan, labelOf(where.place));
     answer.probability = where.mass;
   }
   return answers;

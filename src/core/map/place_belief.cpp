@@ -10,6 +10,7 @@ namespace {
 
 /// Less mass than this of its own is not kept apart from all the others.
 constexpr double kNegligible = 1e-9;
+constexpr double kNegligibleShare = 1e-4;  // of an answer
 constexpr double kSure = 0.3;         // odometry that is off by less says at which place it is [m]
 constexpr double kBeside = 0.6;       // so far from a place the robot stands that is there [m]
 constexpr double kReach = 2.5;        // sigma
@@ -203,6 +204,20 @@ double PlaceBelief::probability(PlaceId id, const Map& map) const {
   return found == states_.end() ? shareOfEach(map) : found->second.mass;
 }
 
+PlaceBelief::Cluster PlaceBelief::nearest(const Map& map) const {
+  std::map<PlaceId, double> masses;
+  for (const auto& [id, state] : states_) {
+    if (state.mass < kNegligibleShare) continue;
+    const auto near = map.near(map.map_from_place(id) * state.place_from_base, options_.region);
+    masses[near.empty() ? id : near.front().id] += state.mass;
+  }
+  Cluster nearest;
+  for (const auto& [id, mass] : masses) {
+    if (mass > nearest.mass) nearest = {id, mass};
+  }
+  return nearest;
+}
+
 PlaceBelief::Cluster PlaceBelief::largest(const Map& map) const {
   struct Seen {
     PlaceId id;
@@ -226,7 +241,7 @@ PlaceBelief::Cluster PlaceBelief::largest(const Map& map) const {
           std::abs(wrapAngle(other.pose.yaw - centre.pose.yaw)) <= kSameHeading;
       mass += same ? other.mass : 0.0;
     }
-    if (mass > largest.mass) largest = {centre.id, mass, centre.pose};
+    if (mass > largest.mass) largest = {centre.id, mass};
   }
   return largest;
 }

@@ -16,11 +16,11 @@ struct PlaceBeliefOptions {
   double lifted = 0.03;             ///< share that is carried anywhere in an update of a whole scan
   double off_map_stays = 0.8;       ///< of off-map in such an update; the rest may be at any place
   double region = 1.0;              ///< so near to a place a pose is at it [m]
-  double softening = 2.0;           ///< score by which a likelihood falls to 1 / e
+  double softening = 2.5;           ///< score by which a likelihood falls to 1 / e
   double floor = 0.001;             ///< least likelihood of a place, where that of the best is 1
   double off_map_softening = 0.25;  ///< exponent of the odds that the scan is of no place
-  double pose_sigma = 0.5;          ///< of a match about where a place was believed to see it [m]
-  double pose_floor = 0.1;          ///< what a match elsewhere in the place still counts
+  double pose_sigma = 1.0;          ///< of a match about where a place was believed to see it [m]
+  double pose_floor = 0.03;         ///< what a match elsewhere in the place still counts
 };
 
 /// What odometry says of the way between two scans.
@@ -84,10 +84,12 @@ class PlaceBelief {
   struct Cluster {
     PlaceId place = kNoPlace;  ///< the most probable of it
     double mass = 0.0;         ///< of all places that put the robot where that does
-    Pose2d map_from_base;      ///< as that place has it
   };
   /// The largest; kNoPlace where no place has mass of its own.
   Cluster largest(const Map& map) const;
+  /// The place to which the robot most probably is nearer than to any other, as the places that it
+  /// may see have it, and that probability; kNoPlace where no place has mass of its own.
+  Cluster nearest(const Map& map) const;
   /// Off-map plus what is outside the largest cluster.
   double lost(const Map& map) const { return 1.0 - largest(map).mass; }
 

@@ -266,6 +266,18 @@ TEST(PlaceBelief, AScanThatTellsNothingChangesNothing) {
   EXPECT_GT(belief.probability(11, corridor.map), 0.9 * before);
 }
 
+TEST(PlaceBelief, NeighboursThatPutTheRobotAtOneSpotSpeakForThePlaceThere) {
+  const Corridor corridor(60);
+  PlaceBelief belief({});
+  for (int scan = 0; scan < 6; ++scan) {
+    belief.measure({{11, 5.0, {0.1, 0.0, 0.0}}, {12, 5.0, {-1.4, 0.0, 0.0}}, {60, -9.0, {}}}, 0.9,
+                   1.0, corridor.map);
+  }
+  EXPECT_LT(belief.probability(11, corridor.map), 0.6);
+  EXPECT_EQ(belief.nearest(corridor.map).place, 11);
+  EXPECT_GT(belief.nearest(corridor.map).mass, 0.99);
+}
+
 TEST(PlaceBelief, APlaceThatIsGoneIsNotAskedFor) {
   Corridor corridor(10);
   PlaceBelief belief({});
