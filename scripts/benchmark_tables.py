@@ -16,6 +16,9 @@ GIB = 2.0 ** 30
 # Cycles that one evaluation takes at the least: with AVX-512 four counts of bits for each of 64 rows,
 # two a cycle, over the eight places in a vector. AVX2 has tables for that, popcnt one row at a time.
 FLOORS = {"avx512": 16, "avx2": 45, "popcnt": 150}
+# Most that may be needed while the robot drives [s].
+DRIVING_TARGETS = {"belief/100000": 5e-3, "relaxation/10000": 0.4, "loop/500": 0.02,
+                   "drive/compass": 0.015, "drive/no_compass": 0.02}
 
 
 def size_words(places):
@@ -88,6 +91,9 @@ def targets(results, live):
     rows.append(row("resident memory, 1 000 000 places", "<= 1.5 GiB",
                     resident and resident * 1e6 / GIB, lambda v: "%.2f GiB" % v,
                     lambda v: v <= 1.5))
+    for name, most in DRIVING_TARGETS.items():
+        rows.append(row(driving_words(name), "<= " + time_words(most), driving_seconds(results, name),
+                        time_words, lambda v, most=most: v <= most))
     rows.append(row("end of scan to answer, live node, 1 000 places, median", "<= 5 ms",
                     live.get("scan_end_to_answer_ms", {}).get("median"), lambda v: "%.1f ms" % v,
                     lambda v: v <= 5.0))
@@ -164,6 +170,32 @@ def store(results):
                   "start", "writing them all at once"], rows)
 
 
+def driving_words(name):
+    what, which = name.split("/")
+    if what == "drive":
+        return "a metre of drive, mapped, " + ("no compass" if which == "no_compass" else "compass")
+    words = {"belief": "a scan's update of the belief, %s places",
+             "relaxation": "relaxation of %s places after a loop",
+             "loop": "a loop of %s places"}
+    return words[what] % size_words(int(which))
+
+
+def driving_seconds(results, name):
+    """Of a drive, CPU time a metre."""
+    what = "cpu_seconds_per_metre" if name.startswith("drive/") else "seconds"
+    return results.get(name, what)
+
+
+def driving(results):
+    rows = []
+    for beginning in ("belief/", "relaxation/", "loop/", "drive/"):
+        for name in results.names(beginning):
+            steps = results.get(name, "steps")
+            rows.append([driving_words(name), time_words(driving_seconds(results, name)),
+                         "%.0f" % steps if steps else ""])
+    return table(["what", "time", "steps"], rows)
+
+
 def strangers(results):
     rows = []
     for name in results.names("strangers/"):
@@ -223,7 +255,8 @@ def main(folder):
     tables = {"run": run(results), "targets": targets(results, live),
               "recognition": recognition(results), "full_search": full_search(results),
               "parts": parts(results), "store": store(results), "strangers": strangers(results),
-              "live": live_table(live), "fused_map": fused_map(results)}
+              "driving": driving(results), "fused_map": fused_map(results),
+              "live": live_table(live)}
     for name, text in tables.items():
         with open(os.path.join(folder, name + ".md"), "w") as file:
             file.write(text)

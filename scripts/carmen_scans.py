@@ -10,7 +10,8 @@ Of a laser with a view of 180 degrees remain nine sonars, 22.5 degrees apart and
 the shortest ray of its cone up to 15 feet, with 1 % noise, and loses one echo in a hundred. The robot
 takes eleven readings of each, two degrees apart, and a compass that errs by 10 degrees (1 sigma). A
 place is learned wherever none is within five feet; where the robot comes by one again, within 2.5 feet
-and 45 degrees, its scan is to be recognized. The same log gives the same scans.
+and 45 degrees, its scan is to be recognized, and the way is noted that it took since it last did. The
+same log gives the same scans.
 """
 
 import gzip
@@ -118,12 +119,13 @@ def episodes(scans, rng):
                 "ring_radius": 0.0, "fov": round(CONE, 4), "r_min": MIN_RANGE, "r_max": MAX_RANGE,
                 "cell": round(CELL, 5), "readings": readings(rays, rng)}
 
-    places, learned, visits = [], [], []
+    places, learned, visits, way = [], [], [], []
     driven, last_visit = 0.0, -math.inf
     previous = scans[0][0]
     for pose, rays in scans:
         driven += distance(pose, previous)
         previous = pose
+        way.append([round(p, 4) for p in pose])
         if all(distance(pose, place) >= PLACE_SPACING for place, _ in places):
             learned.append(episode("learn", pose, rays, f"P{len(places)}", []))
             places.append((pose, driven))
@@ -135,7 +137,8 @@ def episodes(scans, rng):
             continue
         last_visit = driven
         accept = [f"P{i}" for i, (place, _) in enumerate(places) if distance(pose, place) <= NEAR]
-        visits.append(episode("recognize", pose, rays, "", accept))
+        visits.append(dict(episode("recognize", pose, rays, "", accept), way=way))
+        way = []
     return learned + visits
 
 

@@ -81,6 +81,7 @@ int main(int argc, char** argv) {
     registerStrangers(setting);
     registerStore(setting);
     registerFusedMap(setting);
+    registerDriving(setting);
     ::benchmark::RunSpecifiedBenchmarks();
   } catch (const std::exception& error) {
     std::cerr << "place_memory_benchmark: " << error.what() << '\n';

@@ -60,6 +60,7 @@ void registerRecognition(Setting& setting);
 void registerStrangers(Setting& setting);
 void registerStore(Setting& setting);
 void registerFusedMap(Setting& setting);
+void registerDriving(Setting& setting);
 
 }  // namespace place_memory::measure
 

@@ -11,11 +11,13 @@
 #include <sstream>
 
 #include "experiments/answer_table.h"
+#include "experiments/belief_drive.h"
 #include "experiments/figures.h"
 #include "experiments/rearrangements.h"
 #include "experiments/runner.h"
 #include "experiments/summary_table.h"
 #include "support/progress_bar.h"
+#include "trials/episode_file.h"
 
 namespace place_memory::experiments {
 namespace {
@@ -239,6 +241,21 @@ void runSparse(const Arguments& arguments, const std::vector<Method>& all) {
   showAndWrite(arguments, "sparse", verdictTable(outcomes, methods.front().name));
 }
 
+/// Of the recordings that tell the way from scan to scan.
+void believe(const Arguments& arguments, const std::vector<Method>& all) {
+  constexpr std::size_t kOdometries = 20;
+  const std::vector<Method> methods = selectMethods(all, {"default"});
+  std::vector<MatchedDrive> drives;
+  for (const std::string& path : arguments.recorded) {
+    const trials::TrialSet set = trials::readEpisodeFile(path);
+    const bool has_way = std::none_of(set.trials.begin(), set.trials.end(),
+                                      [](const auto& trial) { return trial.way.empty(); });
+    if (has_way) drives.push_back(matchDrive(set, methods.front()));
+  }
+  if (drives.empty()) return;
+  showAndWrite(arguments, "belief", beliefTable(drives, {}, {}, kOdometries));
+}
+
 void drawAll(const Arguments& arguments, const ShippedWorlds& worlds,
              const std::vector<Method>& all) {
   const std::string folder = arguments.out + "/figures";
@@ -260,6 +277,7 @@ void process(const Arguments& arguments) {
   compare(arguments, worlds, methods);
   sweepAll(arguments, worlds,
            selectMethods(all, {"nearest_neighbour", "hill_climbing", "default"}));
+  believe(arguments, all);
   if (arguments.rearrangements > 0) rearrange(arguments, worlds, all);
   if (arguments.sparse) runSparse(arguments, all);
   if (arguments.figures) drawAll(arguments, worlds, all);

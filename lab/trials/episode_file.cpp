@@ -72,10 +72,22 @@ std::vector<core::SonarReading> readingsOf(const json& line, double heading) {
   return readings;
 }
 
-core::Pose2d poseOf(const json& line) {
-  const json& pose = line.at("pose");
-  if (!pose.is_array() || pose.size() != 3) throw std::runtime_error("pose must be x, y and yaw");
-  return {number(pose[0], "pose"), number(pose[1], "pose"), number(pose[2], "pose")};
+core::Pose2d poseOf(const json& pose, const std::string& field) {
+  if (!pose.is_array() || pose.size() != 3) {
+    throw std::runtime_error(field + " must be x, y and yaw");
+  }
+  return {number(pose[0], field), number(pose[1], field), number(pose[2], field)};
+}
+
+std::vector<core::Pose2d> wayOf(const json& line) {
+  std::vector<core::Pose2d> way;
+  if (!line.contains("way")) return way;
+  const json& poses = line.at("way");
+  if (!poses.is_array() || poses.empty()) {
+    throw std::runtime_error("way must be a list of one pose or more");
+  }
+  for (const json& pose : poses) way.push_back(poseOf(pose, "a pose of way"));
+  return way;
 }
 
 void learnLine(const json& line, LearnedScan scan, TrialSet& set) {
@@ -90,7 +102,7 @@ void learnLine(const json& line, LearnedScan scan, TrialSet& set) {
 }
 
 void addLine(const json& line, TrialSet& set) {
-  const core::Pose2d pose = poseOf(line);
+  const core::Pose2d pose = poseOf(line.at("pose"), "pose");
   const double compass = numberAt(line, "compass");
   const core::Pose2d odom_from_scan{pose.x, pose.y, core::wrapAngle(-compass)};
   std::vector<core::SonarReading> readings = readingsOf(line, pose.yaw + compass);
@@ -100,7 +112,8 @@ void addLine(const json& line, TrialSet& set) {
     learnLine(line, {{}, odom_from_scan, std::move(readings)}, set);
   } else if (role == "recognize") {
     const double window = line.at("any_heading").get<bool>() ? core::kPi : kCompassWindow;
-    set.trials.push_back({line.at("accept"), odom_from_scan, window, std::move(readings)});
+    set.trials.push_back(
+        {line.at("accept"), odom_from_scan, window, std::move(readings), 0, wayOf(line)});
   } else {
     throw std::runtime_error("role must be learn or recognize, not '" + role + "'");
   }

@@ -13,7 +13,8 @@ namespace place_memory::trials {
 ///   began; compass, its error [rad]; any_heading, true where the compass says nothing; ring_radius
 ///   [m]; fov [rad], r_min, r_max [m] of every sensor; cell, the cell size that suits it [m];
 ///   readings, each [set, bearing of the sensor rad, turn of the base since the start rad, range m
-///   or null for no echo]. Ranges outside [r_min, r_max] are left out; one
+///   or null for no echo]; and of a recognize line, where the lines follow a drive, way, the poses
+///   since the one before, its own the last. Ranges outside [r_min, r_max] are left out; one
 ///   reading at least must remain. No place is learned twice, and whatever a line accepts is
 ///   learned.
 /// Throws std::runtime_error naming the file, the line, the field and what is wrong with it.

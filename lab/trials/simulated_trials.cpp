@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/scene/crowd.h"
 #include "sim/scene/scene.h"
@@ -58,6 +59,12 @@ class Simulation {
     changed_scene_ = sim::Scene(changed_);
   }
 
+  /// Nothing changes, but chance is another.
+  void comeBack(int round) { round_ = round; }
+
+  /// Where the base was at the newest scan.
+  const Pose2d& base() const { return base_; }
+
   LearnedScan learn(std::size_t index) {
     const sim::Place& place = world_.places[index];
     Rng rng = generatorOf(seed_, 1, index);
@@ -77,6 +84,7 @@ class Simulation {
     const sim::Scene own_scene =
         recipe_.chairs_about_place > 0 ? sim::Scene(world) : changed_scene_;
     const Pose2d base = standingPose(index, own_scene, rng);
+    base_ = base;
     const double error = recipe_.any_heading
                              ? uniform(rng, -core::kPi, core::kPi)
                              : uniform(rng, -recipe_.compass_error, recipe_.compass_error);
@@ -104,7 +112,10 @@ class Simulation {
   /// At the place, or `shift` from it where the robot can drive; as near to that as there is room.
   Pose2d standingPose(std::size_t index, const sim::Scene& scene, Rng& rng) const {
     const sim::Place& place = world_.places[index];
-    const double yaw = recipe_.any_heading ? uniform(rng, -core::kPi, core::kPi) : 0.0;
+    double yaw = recipe_.any_heading ? uniform(rng, -core::kPi, core::kPi) : 0.0;
+    if (recipe_.heading_spread > 0.0) {
+      yaw += uniform(rng, -recipe_.heading_spread, recipe_.heading_spread);
+    }
     constexpr int kTries = 24;
     double shift = recipe_.shift;
     while (shift > 0.05) {
@@ -184,10 +195,34 @@ class Simulation {
   sim::Scene scene_;
   sim::World changed_;
   sim::Scene changed_scene_;
+  Pose2d base_;
   std::vector<std::vector<std::size_t>> neighbours_ = sim::placeNeighbours(world_);
   double west_ = INFINITY;
   double east_ = -INFINITY;
 };
+
+/// In steps of a foot or so, turning evenly.
+std::vector<Pose2d> straightWay(const Pose2d& from, const Pose2d& to) {
+  constexpr double kStep = 0.35;  // [m]
+  const double dx = to.x - from.x, dy = to.y - from.y;
+  const double turn = core::wrapAngle(to.yaw - from.yaw);
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::hypot(dx, dy) / kStep)));
+  std::vector<Pose2d> way;
+  for (int i = 1; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    way.push_back(
+        {from.x + share * dx, from.y + share * dy, core::wrapAngle(from.yaw + share * turn)});
+  }
+  return way;
+}
+
+/// Any neighbour but the one where the robot comes from, unless there is no other.
+std::size_t nextPlace(std::vector<std::size_t> neighbours, std::size_t from, Rng& rng) {
+  if (neighbours.size() > 1) {
+    neighbours.erase(std::remove(neighbours.begin(), neighbours.end(), from), neighbours.end());
+  }
+  return neighbours.empty() ? from : neighbours[sim::uniformIndex(rng, neighbours.size())];
+}
 
 }  // namespace
 
@@ -208,6 +243,30 @@ TrialSet simulateRounds(const sim::World& world, const sim::SimulatedRobot& robo
     for (std::size_t i = 0; i < world.places.size(); ++i) {
       set.trials.push_back(simulation.recognize(i));
     }
+  }
+  return set;
+}
+
+TrialSet simulateVisits(const sim::World& world, const sim::SimulatedRobot& robot,
+                        const Recipe& recipe, std::size_t scans, std::uint64_t seed) {
+  Simulation simulation(world, robot, recipe, seed);
+  TrialSet set;
+  set.name = world.name;
+  set.turns_truly = recipe.turn_error == 0.0;
+  for (std::size_t i = 0; i < world.places.size(); ++i) set.learned.push_back(simulation.learn(i));
+  const auto neighbours = sim::placeNeighbours(world);
+  Rng rng = generatorOf(seed, 0, 0);
+  std::size_t at = sim::uniformIndex(rng, world.places.size());
+  std::size_t from = at;
+  std::vector<int> times(world.places.size(), 0);
+  simulation.change(0);
+  for (std::size_t scan = 0; scan < scans; ++scan) {
+    simulation.comeBack(times[at]++);
+    RecognitionTrial trial = simulation.recognize(at);
+    trial.way = set.trials.empty() ? std::vector<Pose2d>{simulation.base()}
+                                   : straightWay(set.trials.back().way.back(), simulation.base());
+    set.trials.push_back(std::move(trial));
+    from = std::exchange(at, nextPlace(neighbours[at], from, rng));
   }
   return set;
 }

@@ -29,6 +29,7 @@ struct Recipe {
   double readings_lost = 0.0;               ///< share of the readings that never arrive
   double heading_window = core::kPi / 4.0;  ///< told to the matcher, in [0, pi] [rad]
   bool any_heading = false;              ///< the robot comes back at any heading, with no compass
+  double heading_spread = 0.0;           ///< it comes back at headings in +- this [rad]
   std::optional<sim::LaserModel> laser;  ///< scans with this in place of the robot's sonars
   /// A robot with one sensor turns further than it believes, by this share of the turn [1 sigma].
   double turn_error = 0.0;
@@ -45,6 +46,11 @@ TrialSet simulateTrials(const sim::World& world, const sim::SimulatedRobot& robo
 /// it and scans each place again, round by round. Only bicycles go when others are parked.
 TrialSet simulateRounds(const sim::World& world, const sim::SimulatedRobot& robot,
                         const Recipe& recipe, int rounds, std::uint64_t seed);
+
+/// Learns every place of the world; then the robot goes about, so many scans long, along the links
+/// from place to place, and scans at each: the trials, with the way from one to the next.
+TrialSet simulateVisits(const sim::World& world, const sim::SimulatedRobot& robot,
+                        const Recipe& recipe, std::size_t scans, std::uint64_t seed);
 
 /// Scans of the world's places for a memory that never learned them: nothing is right.
 std::vector<RecognitionTrial> simulateStrangers(const sim::World& world,

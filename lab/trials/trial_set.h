@@ -25,6 +25,9 @@ struct RecognitionTrial {
   double heading_window = 0.0;      ///< how far the compass may be off, in [0, pi] [rad]
   std::vector<core::SonarReading> readings;
   int round = 0;  ///< of several times that the robot comes back, from 0 on
+  /// True poses of the base from the trial before to this one, which is the last; none: the trials
+  /// are in no order.
+  std::vector<core::Pose2d> way{};
 };
 
 /// One memory and the scans that are put to it.

@@ -40,7 +40,7 @@ struct ScanOptions {
 /// What drivers say where no echo came, beside +inf (REP 117).
 struct NoEchoOptions {
   bool top = true;   ///< max_range, a value that repeats at the top of the range, or FLT_MAX
-  bool zero = true;  ///< 0 from a sensor with min_range 0, or a negative value that repeats
+  bool zero = true;  ///< 0 from a sensor with min_range 0, -1, or a negative value that repeats
 };
 
 /// How the compass counts.

@@ -26,8 +26,8 @@ namespace {
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 const ros::WallDuration kAtOnce(0.001);
 constexpr int kTicksBetweenWarnings = 10;
-constexpr double kScanLevel = 0.025;  // of its cells in rviz, above those of a recalled place [m]
-constexpr double kWorthARoute = 0.02;          // probability of a place
+constexpr double kScanLevel = 0.025;   // of its cells in rviz, above those of a recalled place [m]
+constexpr double kWorthARoute = 0.02;  // probability of a place
 constexpr std::chrono::nanoseconds kPosePeriod = std::chrono::milliseconds(100);
 
 ros::NodeHandle withQueue(const ros::NodeHandle& names, ros::CallbackQueueInterface& queue) {

@@ -102,6 +102,15 @@ class CarmenScans(unittest.TestCase):
                 self.assertLessEqual(math.hypot(visit["pose"][0] - x, visit["pose"][1] - y),
                                      2.5 * FOOT + 1e-3)
 
+    def test_the_way_leads_from_one_visit_to_the_next(self):
+        visits = [s for s in self.scans(drive(2)) if s["role"] == "recognize"]
+        before = pose_at(0.0)
+        for visit in visits:
+            self.assertEqual(visit["way"][-1], visit["pose"])
+            for pose in visit["way"]:
+                self.assertLess(math.hypot(pose[0] - before[0], pose[1] - before[1]), 0.5)
+                before = pose
+
     def test_a_single_round_visits_nothing_again(self):
         self.assertEqual({s["role"] for s in self.scans(drive(0.7))}, {"learn"})
 

@@ -3,13 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <unordered_set>
 
 namespace place_memory::core {
 namespace {
 
 /// Less mass than this of its own is not kept apart from all the others.
 constexpr double kNegligible = 1e-9;
-constexpr double kSameSpot = 1.0;                    // [m]
+constexpr double kNegligibleShare = 1e-4;  // of an answer
+constexpr double kSure = 0.3;         // odometry that is off by less says at which place it is [m]
+constexpr double kBeside = 0.6;       // so far from a place the robot stands that is there [m]
+constexpr double kReach = 2.5;        // sigma
+constexpr double kFarthest = 10.0;    // beyond the region; odometry that is worse says little [m]
+constexpr double kLeastShare = 1e-3;  // of the most probable place's
+constexpr double kSameSpot = 1.0;     // [m]
 constexpr double kSameHeading = 30.0 * kPi / 180.0;  // [rad]
 
 }  // namespace
@@ -51,9 +58,37 @@ void PlaceBelief::normalize() {
   off_map_ /= all;
 }
 
-void PlaceBelief::predict(const Pose2d& motion, double share, const Map& map) {
-  const double lifted = 1.0 - std::pow(1.0 - options_.lifted, share);
-  const double stays = std::pow(options_.off_map_stays, share);
+std::vector<PlaceBelief::Spot> PlaceBelief::spotsAt(const Pose2d& pose, double way,
+                                                    const Map& map) const {
+  const double sigma = map.sigma(way);
+  const bool is_sure = sigma <= kSure;
+  std::vector<PlaceLocator::Near> near =
+      map.near(pose, options_.region + (is_sure ? 0.0 : std::min(kReach * sigma, kFarthest)));
+  if (is_sure && near.size() > 1) near.resize(1);
+  std::vector<Spot> spots;
+  double all = 0.0;
+  const double variance = sigma * sigma, beside = kBeside * kBeside;
+  // The less odometry is good for, the more the robot is where the place is.
+  const double pull = is_sure ? 0.0 : variance / (variance + beside);
+  // Variance grows as the third power of the way.
+  const double way_left = way * std::cbrt(1.0 - pull);
+  for (const PlaceLocator::Near& place : near) {
+    const double farther = place.distance * place.distance - near[0].distance * near[0].distance;
+    const double weight = std::exp(-0.5 * farther / (variance + beside));
+    if (weight < kLeastShare) break;
+    const Pose2d map_from_place = map.map_from_place(place.id);
+    const Pose2d there{pose.x + pull * (map_from_place.x - pose.x),
+                       pose.y + pull * (map_from_place.y - pose.y), pose.yaw};
+    spots.push_back({place.id, weight, {0.0, map_from_place.inverse() * there, way_left}});
+    all += weight;
+  }
+  for (Spot& spot : spots) spot.share /= all;
+  return spots;
+}
+
+void PlaceBelief::predict(const BeliefMotion& moved_by, const Map& map) {
+  const double lifted = 1.0 - std::pow(1.0 - options_.lifted, moved_by.share);
+  const double stays = std::pow(options_.off_map_stays, moved_by.share);
   std::unordered_map<PlaceId, State> moved;
   std::map<PlaceId, double> heaviest;
   double fallen = 0.0;
@@ -63,17 +98,17 @@ void PlaceBelief::predict(const Pose2d& motion, double share, const Map& map) {
   std::sort(ids.begin(), ids.end());
   for (const PlaceId id : ids) {
     const State& state = states_[id];
-    const Pose2d pose = map.map_from_place(id) * state.place_from_base * motion;
-    const PlaceId to = map.nearest(pose);
-    if (to == kNoPlace) {
-      fallen += state.mass;
-      continue;
-    }
-    State& target = moved[to];
-    target.mass += state.mass;
-    if (state.mass > heaviest[to]) {
-      heaviest[to] = state.mass;
-      target.place_from_base = map.map_from_place(to).inverse() * pose;
+    const Pose2d pose = map.map_from_place(id) * state.place_from_base * moved_by.motion;
+    const std::vector<Spot> spots = spotsAt(pose, state.way + moved_by.way, map);
+    if (spots.empty()) fallen += state.mass;
+    for (const Spot& spot : spots) {
+      const double mass = spot.share * state.mass;
+      State& target = moved[spot.place];
+      const double all = target.mass + mass;
+      double& most = heaviest[spot.place];
+      if (mass > most) target = spot.state;
+      most = std::max(most, mass);
+      target.mass = all;
     }
   }
   const double anywhere = lifted * (1.0 - off_map_ - fallen) + (1.0 - stays) * (off_map_ + fallen);
@@ -92,43 +127,39 @@ void PlaceBelief::predict(const Pose2d& motion, double share, const Map& map) {
   normalize();
 }
 
+double PlaceBelief::likelihoodOf(double score, double best) const {
+  return std::max(std::exp((score - best) / options_.softening), options_.floor);
+}
+
 void PlaceBelief::measure(const std::vector<BeliefMatch>& matches, double known, double share,
                           const Map& map) {
+  if (matches.empty() || known <= 0.0 || map.places == 0) return;
   const double each = shareOfEach(map);
-  double best = -INFINITY;
-  for (const BeliefMatch& match : matches) best = std::max(best, match.score);
-  const double least = std::pow(options_.floor, share);
+  double best = -INFINITY, worst = INFINITY;
+  for (const BeliefMatch& match : matches) {
+    best = std::max(best, match.score);
+    worst = std::min(worst, match.score);
+  }
+  const double unmatched = likelihoodOf(worst, best);
+  weighOffMap(matches, best, unmatched, known, share, map);
+  const double least = std::pow(unmatched, share);
+  std::unordered_set<PlaceId> matched;
+  for (const BeliefMatch& match : matches) matched.insert(match.id);
   for (auto& [id, state] : states_) {
-    const bool matched = std::any_of(matches.begin(), matches.end(),
-                                     [&id = id](const BeliefMatch& m) { return m.id == id; });
-    if (!matched) state.mass *= least;
+    if (matched.count(id) == 0) state.mass *= least;
   }
   double taken = 0.0;
   for (const BeliefMatch& match : matches) {
-    double likelihood =
-        std::max(std::exp((match.score - best) / options_.softening), options_.floor);
+    const double likelihood = likelihoodOf(match.score, best);
     const auto found = states_.find(match.id);
     if (found == states_.end()) {
       taken += each;
       states_[match.id] = {each * std::pow(likelihood, share), match.place_from_base};
-      continue;
-    }
-    State& state = found->second;
-    const Pose2d& there = state.place_from_base;
-    const double off =
-        std::hypot(match.place_from_base.x - there.x, match.place_from_base.y - there.y) /
-        options_.pose_sigma;
-    const double agrees = std::exp(-0.5 * off * off);
-    likelihood *= std::max(agrees, options_.pose_floor);
-    state.mass *= std::pow(std::max(likelihood, options_.floor), share);
-    // Elsewhere in the place is rather another look-alike than where the robot is.
-    if (agrees > options_.pose_floor || state.mass < each) {
-      state.place_from_base = match.place_from_base;
+    } else {
+      weigh(match, likelihood, share, each, map, found->second);
     }
   }
   elsewhere_ = std::max(elsewhere_ - taken, 0.0) * least;
-  const double sure = std::clamp(known, 0.01, 0.99);
-  off_map_ *= std::pow((1.0 - sure) / sure, options_.off_map_softening * share);
   normalize();
   for (auto state = states_.begin(); state != states_.end();) {
     if (state->second.mass >= kNegligible) {
@@ -140,9 +171,51 @@ void PlaceBelief::measure(const std::vector<BeliefMatch>& matches, double known,
   }
 }
 
+void PlaceBelief::weighOffMap(const std::vector<BeliefMatch>& matches, double best,
+                              double unmatched, double known, double share, const Map& map) {
+  // As likely as a scan of any place is, taken together, the odds that it is of none apart.
+  const double others =
+      map.places > matches.size() ? static_cast<double>(map.places - matches.size()) : 0.0;
+  double all = others * unmatched;
+  for (const BeliefMatch& match : matches) all += likelihoodOf(match.score, best);
+  const double mean = all / static_cast<double>(std::max(map.places, matches.size()));
+  const double sure = std::clamp(known, 0.01, 0.99);
+  off_map_ *= std::pow(mean * std::pow((1.0 - sure) / sure, options_.off_map_softening), share);
+}
+
+void PlaceBelief::weigh(const BeliefMatch& match, double likelihood, double share, double each,
+                        const Map& map, State& state) const {
+  const Pose2d& there = state.place_from_base;
+  const double off =
+      std::hypot(match.place_from_base.x - there.x, match.place_from_base.y - there.y) /
+      std::hypot(options_.pose_sigma, map.sigma(state.way));
+  const double agrees = std::exp(-0.5 * off * off);
+  likelihood *= std::max(agrees, options_.pose_floor);
+  state.mass *= std::pow(std::max(likelihood, options_.floor), share);
+  // Elsewhere in the place is rather another look-alike than where the robot is.
+  if (agrees > options_.pose_floor || state.mass < each) {
+    state.place_from_base = match.place_from_base;
+    state.way = 0.0;
+  }
+}
+
 double PlaceBelief::probability(PlaceId id, const Map& map) const {
   const auto found = states_.find(id);
   return found == states_.end() ? shareOfEach(map) : found->second.mass;
+}
+
+PlaceBelief::Cluster PlaceBelief::nearest(const Map& map) const {
+  std::map<PlaceId, double> masses;
+  for (const auto& [id, state] : states_) {
+    if (state.mass < kNegligibleShare) continue;
+    const auto near = map.near(map.map_from_place(id) * state.place_from_base, options_.region);
+    masses[near.empty() ? id : near.front().id] += state.mass;
+  }
+  Cluster nearest;
+  for (const auto& [id, mass] : masses) {
+    if (mass > nearest.mass) nearest = {id, mass};
+  }
+  return nearest;
 }
 
 PlaceBelief::Cluster PlaceBelief::largest(const Map& map) const {

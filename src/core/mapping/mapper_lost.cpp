@@ -16,7 +16,6 @@ constexpr double kDoubtful = 0.2;      ///< P(lost) from which no place is named
 constexpr double kJustTied = 3.6;      ///< way driven since the middle of a scan of late [m]
 constexpr NodeIndex kNodesBefore = 8;  ///< a scan's stretch and more
 constexpr NodeIndex kLongPart = 16;    ///< that is a way of its own
-constexpr double kRegion = 1.0;        ///< of a place, for the belief [m]
 constexpr std::size_t kMostTold = 32;  ///< places of a belief
 
 }  // namespace
@@ -26,9 +25,10 @@ PlaceBelief::Map Mapper::beliefMap() const {
   const PlaceMatcher* matcher = shelf_.matcher(kMapSession);
   map.places = matcher ? matcher->size() : 0;
   map.map_from_place = [this](PlaceId id) { return graph_.node(shelf_.nodeOf(id)).pose; };
-  map.nearest = [this](const Pose2d& pose) {
-    const std::vector<PlaceShelf::Near> near = shelf_.near(pose, kMapSession, kRegion, true);
-    return near.empty() ? kNoPlace : near.front().id;
+  const bool compass = !graph_.nodes().empty() && graph_.nodes().back().compass.has_value();
+  map.sigma = [compass](double way) { return positionSigma(way, compass); };
+  map.near = [this](const Pose2d& pose, double radius) {
+    return shelf_.near(pose, kMapSession, radius, true);
   };
   return map;
 }
@@ -39,8 +39,9 @@ void Mapper::believe(NodeIndex at, const std::vector<PlaceFit>& fits, const Laid
   const double moved = node.before ? node.last_way - graph_.node(*node.before).last_way : stretch;
   const PlaceBelief::Map map = beliefMap();
   if (node.before) {
-    belief_.predict(graph_.node(*node.before).pose.inverse() * scan.map_from_base,
-                    std::min(1.0, moved), map);
+    belief_.predict({graph_.node(*node.before).pose.inverse() * scan.map_from_base, node.motion_way,
+                     std::min(1.0, moved)},
+                    map);
   }
   std::vector<BeliefMatch> matches;
   double known = 0.0;
@@ -89,8 +90,8 @@ void Mapper::judgeLost(NodeIndex at, const View& view, ScanDecision& decision) {
   if (!node.before || session_ != kMapSession || node.session != kMapSession) return;
   decision.witness = witnessOf(view);
   lost_.update(decision.witness, node.last_way - graph_.node(*node.before).last_way);
-  const bool here = decision.witness != ScanWitness::kSilent &&
-                    decision.witness != ScanWitness::kDoubts;
+  const bool here =
+      decision.witness != ScanWitness::kSilent && decision.witness != ScanWitness::kDoubts;
   if (here && lost_.probability() > kSurelyLost) partWays();
 }
 

@@ -11,7 +11,7 @@ namespace place_memory::core {
 class BaseWatch {
  public:
   enum class Fault {
-    kOtherWay,  ///< it turns against what is sent
+    kOtherWay,  ///< it turns against what is sent, said within half a second where that shows
     kStands,    ///< the top rate was sent for three seconds, and nothing came of it
   };
 
@@ -38,9 +38,11 @@ class BaseWatch {
   double seconds() const { return started_ ? last_time_ - first_time_ : 0.0; }
 
  private:
+  void noteRest(double turned);
   void begin(double rate);
   void beginRun(double now, double turned, double rate);
   void judge(double now, double turned, double rate);
+  bool leavesRestTheOtherWay(double now, double turned, double rate);
 
   double least_rate_;
   double max_rate_;
@@ -59,7 +61,14 @@ class BaseWatch {
   double turned_way_ = 0.0;
   double way_mark_ = 0.0;  // up to which turned_way_ counts
 
+  // Between which odometry showed it while nothing was sent.
+  bool rested_ = false;
+  double rest_low_ = 0.0;
+  double rest_high_ = 0.0;
+  std::optional<double> other_way_since_;  // it is beyond that, against what is sent
+
   // Of the time since the sign of the rate changed.
+  bool first_run_ = true;
   double run_rate_ = 0.0;
   double run_from_ = 0.0;
   double run_best_ = 0.0;  // the furthest that it came the right way

@@ -21,6 +21,8 @@ struct AdaptedReading {
   std::optional<Reject> reject;   ///< why it cannot be used
   std::string sensor_problem;     ///< with Reject::kBadSensor, in a sentence
   std::optional<NoEchoWord> no_echo;
+  /// With a range outside the limits: it is the one that the sensor says again and again [m].
+  std::optional<double> repeated;
 };
 
 }  // namespace place_memory::node

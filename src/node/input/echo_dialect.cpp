@@ -10,10 +10,13 @@ constexpr double kHair = 1e-3;  // share of max_range
 constexpr double kFloatMax = 0.99 * static_cast<double>(std::numeric_limits<float>::max());
 
 constexpr int kRepeated = 3;
+constexpr int kAgainAndAgain = 10;
 constexpr int kTopRuns = 5;
 // A wall at rest repeats too, but the ranges beside it are near, and it is at no special distance.
 constexpr double kTopFrom = 0.8;  // share of max_range
 constexpr double kGap = 0.02;     // share of the value
+
+bool isMinusOne(double range) { return std::abs(range + 1.0) <= kHair; }
 
 }  // namespace
 
@@ -29,19 +32,20 @@ std::optional<std::string> EchoDialect::noEcho(std::chrono::nanoseconds stamp, d
   if (options.top && range >= kFloatMax) return "the largest float";
   if (options.top && isMaxRange(range, spec.max_range)) return "its max_range";
   if (options.zero && range == 0.0 && spec.min_range == 0.0) return "which no echo can have";
+  if (options.zero && isMinusOne(range)) return "which no echo can have";
   if (stamp > newest_) follow(range, spec);
   newest_ = std::max(newest_, stamp);
-  if (options.top && range > spec.max_range && outsideRepeats(range)) {
+  if (options.top && echoes_ && range > spec.max_range && outsideRepeats(range, kRepeated)) {
     return "which it repeats beyond its max_range";
   }
-  if (options.zero && range < 0.0 && outsideRepeats(range)) return "which it repeats";
+  if (options.zero && range < 0.0 && outsideRepeats(range, kRepeated)) return "which it repeats";
   if (options.top && topRepeats(range, spec)) return "which it repeats at the top of its range";
   return std::nullopt;
 }
 
 void EchoDialect::follow(double range, const core::SonarSpec& spec) {
   if (range < spec.min_range || range > spec.max_range) {
-    outside_times_ = range == outside_ ? std::min(outside_times_ + 1, kRepeated) : 1;
+    outside_times_ = range == outside_ ? std::min(outside_times_ + 1, kAgainAndAgain) : 1;
     outside_ = range;
     return;
   }
@@ -66,8 +70,13 @@ bool EchoDialect::topRepeats(double range, const core::SonarSpec& spec) const {
          next_ <= (1.0 - kGap) * range;
 }
 
-bool EchoDialect::outsideRepeats(double range) const {
-  return echoes_ && range == outside_ && outside_times_ >= kRepeated;
+bool EchoDialect::outsideRepeats(double range, int times) const {
+  return range == outside_ && outside_times_ >= times;
+}
+
+std::optional<double> EchoDialect::repeatedOutside() const {
+  if (!outsideRepeats(outside_, kAgainAndAgain)) return std::nullopt;
+  return outside_;
 }
 
 }  // namespace place_memory::node

@@ -16,19 +16,23 @@ namespace place_memory::node {
 class EchoDialect {
  public:
   /// Whether the sensor's next range is such a word; then what kind of value it is, as "max_range".
-  /// max_range within a hair, FLT_MAX and 0 with min_range 0 count at once; a value outside the
-  /// limits once the sensor has repeated it while echoes came, too; a value at the top of what the
-  /// sensor ever said once it came back several times, and nothing came near it.
+  /// max_range within a hair, FLT_MAX, -1 and 0 with min_range 0 count at once; another negative
+  /// value once the sensor has repeated it; one beyond max_range likewise, but only where echoes
+  /// came, too; a value at the top of what the sensor ever said once it came back several times, and
+  /// nothing came near it.
   /// A range whose stamp is not newer than all before says nothing of the sensor: a bag may be read
   /// twice.
   std::optional<std::string> noEcho(std::chrono::nanoseconds stamp, double range,
                                     const core::SonarSpec& spec,
                                     const config::NoEchoOptions& options);
+  /// The value outside the limits that the sensor says again and again, with no other one outside
+  /// them meanwhile, of whatever noEcho() makes of it; nothing where there is none.
+  std::optional<double> repeatedOutside() const;
 
  private:
   void follow(double range, const core::SonarSpec& spec);
   bool topRepeats(double range, const core::SonarSpec& spec) const;
-  bool outsideRepeats(double range) const;
+  bool outsideRepeats(double range, int times) const;
 
   std::chrono::nanoseconds newest_ = std::chrono::nanoseconds::min();
   bool echoes_ = false;  // one came within the limits

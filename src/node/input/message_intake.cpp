@@ -20,6 +20,25 @@ std::string inWords(const NoEchoWord& word, const std::string& name) {
   return text.str();
 }
 
+// Of a range outside the limits that comes again and again, and is left out.
+std::string repeatedInWords(double range, const core::Measurement& measurement,
+                            const std::string& name) {
+  const bool is_below = range < measurement.spec.min_range;
+  std::ostringstream text;
+  text << name << " says " << range << " m again and again, "
+       << (is_below ? "below its min_range of " : "beyond its max_range of ")
+       << (is_below ? measurement.spec.min_range : measurement.spec.max_range)
+       << " m, and is left out: if that is its driver's word for no echo, ";
+  if (range < 0.0) {
+    text << "sonar/zero_is_no_echo: true takes it as that";
+  } else if (is_below) {
+    text << "let it say +inf, or give it the min_range 0; if not, is the sensor covered?";
+  } else {
+    text << "scan/over_range_is_no_echo: true takes it as that; if not, are its ranges in metres?";
+  }
+  return text.str();
+}
+
 }  // namespace
 
 std::vector<std::string> typesOf(InputRole role) {
@@ -124,6 +143,11 @@ void MessageIntake::takeSonar(const std::string& topic, const InputMessage& mess
       if (said_.count(input) == 0) {
         once(input, inWords(*reading.no_echo, registry_.nameOf(reading.measurement.sensor)), taken);
       }
+    }
+    if (reading.repeated) {
+      const std::string name = registry_.nameOf(reading.measurement.sensor);
+      taken.problems.push_back(
+          {name, repeatedInWords(*reading.repeated, reading.measurement, name)});
     }
     watchUnits(reading, taken);
   }

@@ -26,15 +26,16 @@ AdaptedReading RangeAdapter::adapt(const sensor_msgs::Range& message) {
     adapted.reject = Reject::kNoStamp;
   } else {
     double range = message.range;
-    const auto no_echo =
-        dialects_[measurement.sensor].noEcho(measurement.stamp, range, spec, parameters_->no_echo);
+    EchoDialect& dialect = dialects_[measurement.sensor];
+    const auto no_echo = dialect.noEcho(measurement.stamp, range, spec, parameters_->no_echo);
     if (no_echo) {
       adapted.no_echo = NoEchoWord{range, *no_echo};
       range = std::numeric_limits<double>::infinity();
     }
     const CheckedRange checked = checkRange(spec, range, parameters_->scan.over_range_is_no_echo);
     adapted.reject = checked.reject;
-    measurement.spec = checked.spec;
+    if (checked.reject && dialect.repeatedOutside() == range) adapted.repeated = range;
+    measurement.spec = checked.reject ? spec : checked.spec;
     measurement.range = checked.range;
   }
   return adapted;

@@ -1,5 +1,6 @@
 #include "node/scan/turn_words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -29,7 +30,8 @@ std::string sentAndTurned(const core::BaseWatch& base, const TurnSources& source
   text << std::fixed << std::setprecision(2) << "up to " << base.highestSent()
        << " rad/s were sent on " << sources.command_topic << " for " << std::setprecision(1)
        << base.seconds() << " s, " << std::setprecision(2) << base.sentWay() << " rad in all, and "
-       << sources.yaw << " turned by " << base.turnedWay() << " rad";
+       << sources.yaw << " turned by " << std::max(base.turnedWay(), std::abs(base.turned()))
+       << " rad";
   return text.str();
 }
 

@@ -21,6 +21,7 @@ struct SimulatedTurn {
   double gain = 1.0;       ///< negative: the sign is swapped
   double quantum = 0.0;    ///< steps of odometry [rad]; 0: fine
   double noise = 0.0;      ///< 1 sigma of odometry [rad]
+  double drift = 0.0;      ///< of odometry [rad/s]
 };
 
 /// What came of a sweep.
@@ -31,6 +32,7 @@ struct Turned {
   double most = 0.0;     ///< furthest counter-clockwise [rad]
   double seconds = 0.0;  ///< that it took
   double fastest = 0.0;  ///< rate that was sent [rad/s]
+  double shown = 0.0;    ///< when odometry first showed it other than at rest [s]
   int headings = 0;      ///< that were sensed
 };
 
@@ -43,9 +45,15 @@ inline Turned turn(SweepTurner& turner, int headings, double step, const Simulat
   SweepCoverage coverage(headings, step, {1, 2, 3, 4});
   std::deque<double> sent(static_cast<std::size_t>(std::lround(base.delay / kPeriod)), 0.0);
   Turned result;
+  double at_rest = 0.0;
   for (int i = 0; result.seconds < longest && !turner.done() && !turner.base().fault(); ++i) {
-    double odometry = start + result.yaw + base.noise * normal(rng);
+    double odometry = start + result.yaw + base.noise * normal(rng) + base.drift * result.seconds;
     if (base.quantum > 0.0) odometry = base.quantum * std::round(odometry / base.quantum);
+    if (i == 0) at_rest = odometry;
+    if (result.shown == 0.0 && result.yaw != 0.0 &&
+        std::abs(odometry - at_rest) > 4.0 * base.noise) {
+      result.shown = result.seconds;
+    }
     if (turner.started() && !turner.swept() && i % 2 == 0) {
       for (SensorId sensor = 1; sensor <= 4; ++sensor) coverage.add(sensor, wrapAngle(odometry));
     }

@@ -151,6 +151,44 @@ TEST(SweepTurner, ABaseThatTurnsTheOtherWayIsStopped) {
   }
 }
 
+TEST(SweepTurner, ABaseThatTurnsTheOtherWayIsStoppedHalfASecondAfterThatShowed) {
+  for (const double gain : {-3.0, -1.0, -0.3, -0.1}) {
+    for (const double delay : {0.0, 0.2, 0.5, 1.0}) {
+      for (const double quantum : {0.0, 0.01, 0.03}) {
+        for (const double noise : {0.0, 0.001}) {
+          // Where steps are coarse, noise is no noise any more, but whole steps.
+          if (quantum > 0.0 && noise > 0.0) continue;
+          for (const int headings : {11, 100}) {
+            const double step = headings == 11 ? kStep : kPi / 50.0;
+            SweepTurner turner(headings, step, kMaxRate);
+            const Turned t =
+                turn(turner, headings, step, {0.0, delay, gain, quantum, noise}, 0.004);
+            const std::string what = std::to_string(gain) + ", delay " + std::to_string(delay) +
+                                     ", steps of " + std::to_string(quantum) + ", noise " +
+                                     std::to_string(noise);
+            ASSERT_TRUE(turner.base().fault()) << what;
+            EXPECT_EQ(*turner.base().fault(), BaseWatch::Fault::kOtherWay) << what;
+            EXPECT_LT(t.seconds - t.shown, 0.5) << what;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(SweepTurner, OdometryThatDriftsAtRestIsNoTurnTheOtherWay) {
+  for (const double dead_band : {0.0, 0.08, 0.15}) {
+    for (const double drift : {-0.01, -0.004, 0.004, 0.01}) {
+      for (const double noise : {0.0, 0.001, 0.003}) {
+        SweepTurner turner(11, kStep, kMaxRate);
+        const Turned t = turn(turner, 11, kStep, {dead_band, 0.1, 1.0, 0.0, noise, drift});
+        EXPECT_FALSE(turner.base().fault()) << dead_band << ' ' << drift << ' ' << noise;
+        EXPECT_TRUE(t.done) << dead_band << ' ' << drift << ' ' << noise;
+      }
+    }
+  }
+}
+
 TEST(SweepTurner, ABaseThatDoesNotMoveIsToldFromOneThatIsSlow) {
   SweepTurner turner(11, kStep, kMaxRate);
   const Turned t = turn(turner, 11, kStep, {1.0});

@@ -47,7 +47,7 @@ class Smoke(unittest.TestCase):
                      "preparation/any", "grid", "yardstick/local/21", "yardstick/any/21",
                      "recognition/local/21", "recognition/any/21", "full_search/local/21",
                      "full_search/any/21", "fused_map/scratch/21", "fused_map/moved/21",
-                     "fused_map/cells/21"):
+                     "fused_map/cells/21", "loop/500"):
             self.assertGreater(self.rows[name]["real_time"], 0.0, name)
 
     def test_reports_accuracy_beside_time(self):
@@ -68,6 +68,8 @@ class Smoke(unittest.TestCase):
             self.assertIn("| local   | 21 ", file.read())
         with open(os.path.join(self.folder.name, "targets.md")) as file:
             self.assertIn("same best place as full search, 21 places", file.read())
+        with open(os.path.join(self.folder.name, "driving.md")) as file:
+            self.assertIn("| a loop of 500 places |", file.read())
 
     def test_draws(self):
         image = os.path.join(self.folder.name, "growth.png")

@@ -63,6 +63,19 @@ TEST(EpisodeFile, ACompassThatSaysNothingOpensTheWindow) {
   EXPECT_EQ(set.trials[1].heading_window, core::kPi / 4.0);
 }
 
+TEST(EpisodeFile, TellsTheWayFromTrialToTrial) {
+  const std::string with_way =
+      changed(kRecognize, R"("cell")", R"("way": [[0, 2, 0.5], [1, 2, 0.5]], "cell")");
+  const TrialSet set = read(kLearn + "\n" + with_way + "\n" + kRecognize + "\n");
+  ASSERT_EQ(set.trials[0].way.size(), 2U);
+  EXPECT_EQ(set.trials[0].way[0].x, 0.0);
+  EXPECT_EQ(set.trials[0].way[1].yaw, 0.5);
+  EXPECT_TRUE(set.trials[1].way.empty());
+  EXPECT_NE(
+      problem(kLearn + "\n" + changed(with_way, "[0, 2, 0.5]", "[0, 2]")).find("a pose of way"),
+      std::string::npos);
+}
+
 TEST(EpisodeFile, SaysWhichLineIsWrong) {
   EXPECT_NE(problem(kLearn + "\n" + kRecognize + "\n{").find("episodes.jsonl:3: "),
             std::string::npos);

@@ -173,5 +173,37 @@ TEST(SimulatedTrials, NothingIsRightForAStranger) {
   for (const RecognitionTrial& trial : strangers) EXPECT_TRUE(trial.accept.empty());
 }
 
+TEST(SimulatedVisits, GoFromPlaceToPlaceAlongTheLinks) {
+  Recipe recipe;
+  recipe.shift = 0.4;
+  recipe.heading_spread = 0.5;
+  const sim::World& hallway = world("hallway");
+  const TrialSet set = simulateVisits(hallway, sim::SimulatedRobot{}, recipe, 30, 3);
+  EXPECT_EQ(set.learned.size(), hallway.places.size());
+  ASSERT_EQ(set.trials.size(), 30U);
+  const auto neighbours = sim::placeNeighbours(hallway);
+  const auto placeOf = [&](const RecognitionTrial& trial) {
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < set.learned.size(); ++i) {
+      const core::Pose2d& best = set.learned[nearest].odom_from_scan;
+      const core::Pose2d& other = set.learned[i].odom_from_scan;
+      if (distance(other, trial.odom_from_scan) < distance(best, trial.odom_from_scan)) nearest = i;
+    }
+    return nearest;
+  };
+  for (std::size_t i = 1; i < set.trials.size(); ++i) {
+    const std::size_t from = placeOf(set.trials[i - 1]), to = placeOf(set.trials[i]);
+    EXPECT_EQ(std::count(neighbours[from].begin(), neighbours[from].end(), to), 1) << i;
+    core::Pose2d before = set.trials[i - 1].way.back();
+    for (const core::Pose2d& pose : set.trials[i].way) {
+      EXPECT_LT(distance(before, pose), 0.36);
+      before = pose;
+    }
+    EXPECT_NEAR(distance(before, set.trials[i].odom_from_scan), 0.0, 1e-9);
+  }
+  const TrialSet again = simulateVisits(hallway, sim::SimulatedRobot{}, recipe, 30, 3);
+  EXPECT_TRUE(same(set.trials[29].readings, again.trials[29].readings));
+}
+
 }  // namespace
 }  // namespace place_memory::trials

@@ -41,14 +41,46 @@ TEST(EchoDialect, ZeroIsNoEchoWhereNothingIsTooClose) {
   EXPECT_FALSE(lastIsNoEcho({1.0, 0.0, 0.0, 0.0}, kSpec)) << "it may be covered";
 }
 
-TEST(EchoDialect, AValueOutsideTheLimitsMustRepeatWhileEchoesCome) {
-  for (const double word : {-1.0, 4.01, 8.19}) {
+TEST(EchoDialect, MinusOneIsNoEchoAtOnce) {
+  for (const double word : {-1.0, -0.9999999}) {
+    EXPECT_TRUE(lastIsNoEcho({word})) << word;
+    EXPECT_TRUE(lastIsNoEcho({word}, kFromZero)) << word;
+    EXPECT_FALSE(lastIsNoEcho({word, word, word, word}, kSpec, strict())) << word;
+  }
+}
+
+TEST(EchoDialect, AnotherNegativeValueMustRepeat) {
+  for (const double word : {-0.001, -2.0, -99.0}) {
+    EXPECT_FALSE(lastIsNoEcho({word, word})) << word;
+    EXPECT_TRUE(lastIsNoEcho({word, word, word})) << "whether or not echoes came: " << word;
+    EXPECT_TRUE(lastIsNoEcho({word, 1.0, word, 1.2, word})) << word;
+    EXPECT_FALSE(lastIsNoEcho({word, word, word}, kSpec, strict())) << word;
+  }
+  EXPECT_FALSE(lastIsNoEcho({-0.02, -0.03, -0.02, -0.04, -0.02})) << "an offset that is wrong";
+}
+
+TEST(EchoDialect, AValueBeyondMaxRangeMustRepeatWhileEchoesCome) {
+  for (const double word : {4.01, 8.19, 65.535, 8190.0}) {
     EXPECT_FALSE(lastIsNoEcho({1.0, word, 1.2, word})) << word;
     EXPECT_TRUE(lastIsNoEcho({1.0, word, 1.2, word, 1.1, word})) << word;
     EXPECT_FALSE(lastIsNoEcho({word, word, word, word, word})) << "no echo ever came: " << word;
     EXPECT_FALSE(lastIsNoEcho({1.0, word, word, word, word}, kSpec, strict())) << word;
   }
   EXPECT_FALSE(lastIsNoEcho({1.0, 120.0, 121.0, 122.0, 120.0}));
+}
+
+TEST(EchoDialect, NamesAValueOutsideTheLimitsThatIsSaidAgainAndAgain) {
+  for (const double word : {-1.0, 0.0, 8190.0, 65.535}) {
+    EchoDialect dialect;
+    std::chrono::nanoseconds stamp{0};
+    for (int times = 0; times < 9; ++times) dialect.noEcho(++stamp, word, kSpec, strict());
+    EXPECT_FALSE(dialect.repeatedOutside()) << word;
+    dialect.noEcho(++stamp, 1.0, kSpec, strict());
+    dialect.noEcho(++stamp, word, kSpec, strict());
+    EXPECT_EQ(dialect.repeatedOutside(), word);
+    dialect.noEcho(++stamp, 9.0, kSpec, strict());
+    EXPECT_FALSE(dialect.repeatedOutside()) << word;
+  }
 }
 
 TEST(EchoDialect, AValueThatComesBackAtTheTopIsNoEcho) {
@@ -72,7 +104,7 @@ TEST(EchoDialect, ReadingABagTwiceMakesNoWord) {
   for (int times = 0; times < 10; ++times) {
     EXPECT_FALSE(dialect.noEcho(std::chrono::seconds(1), 3.57, kSpec, {}));
     EXPECT_FALSE(dialect.noEcho(std::chrono::seconds(2), 1.0, kSpec, {}));
-    EXPECT_FALSE(dialect.noEcho(std::chrono::seconds(3), -1.0, kSpec, {}));
+    EXPECT_FALSE(dialect.noEcho(std::chrono::seconds(3), -2.0, kSpec, {}));
   }
 }
 

@@ -110,6 +110,33 @@ TEST_F(MessageIntakeTest, ADriversWordForNoEchoIsSaidOnce) {
   EXPECT_EQ(again.readings[0].measurement.range, std::numeric_limits<double>::infinity());
 }
 
+TEST_F(MessageIntakeTest, MinusOneIsAWordForNoEcho) {
+  expectProblem(say("/left", rangeOf("a", -1.0F)), {"a says -1 m", "sonar/zero_is_no_echo"});
+  const Taken again = say("/left", rangeOf("a", -1.0F));
+  EXPECT_TRUE(again.problems.empty());
+  EXPECT_FALSE(again.readings[0].reject);
+  EXPECT_EQ(again.readings[0].measurement.range, std::numeric_limits<double>::infinity());
+}
+
+TEST_F(MessageIntakeTest, AValueOutsideTheLimitsThatIsSaidAgainAndAgainIsNamed) {
+  const auto repeated = [&](const std::string& frame, float value) {
+    Taken taken;
+    for (int times = 0; times < 10; ++times) {
+      EXPECT_TRUE(taken.problems.empty()) << times;
+      sensor_msgs::Range message = rangeOf(frame, value);
+      message.header.stamp += ros::Duration(0.1 * times);
+      taken = say("/left", message);
+    }
+    EXPECT_TRUE(taken.readings[0].reject);
+    return taken;
+  };
+  expectProblem(repeated("far", 65.535F), {"far says 65.535 m", "scan/over_range_is_no_echo"});
+  expectProblem(repeated("mm", 8190.0F), {"mm says 8190 m", "scan/over_range_is_no_echo"});
+  expectProblem(repeated("zero", 0.0F), {"zero says 0 m", "min_range"});
+  parameters_.no_echo.zero = false;
+  expectProblem(repeated("minus", -1.0F), {"minus says -1 m", "sonar/zero_is_no_echo"});
+}
+
 TEST_F(MessageIntakeTest, FramesThatSensorsShareAreNamedOnce) {
   EXPECT_TRUE(say("/left", rangeOf("a", 1.0F)).problems.empty());
   expectProblem(say("/right", rangeOf("a", 1.0F)), {"/left and /right", "frame a"});
