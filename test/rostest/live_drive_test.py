@@ -146,8 +146,6 @@ class LiveDriveTest(unittest.TestCase):
         places = self.node.call("list_places").places
         self.assertGreater(len(places), 6)
         self.assertGreaterEqual(self.kinds().count(MapEvent.NEW_PLACE), len(places))
-        # Also between its ends, which no place was made on the way of.
-        self.assertGreaterEqual(len(self.node.call("get_graph").graph.links), len(places))
         self.assertLess(self.error(first, first), 0.3)
         self.assertTrue(self.transforms)
         self.assertEqual(self.transforms[-1].child_frame_id, "odom")
@@ -163,6 +161,8 @@ class LiveDriveTest(unittest.TestCase):
         self.start_node(mode="localize", store=self.store, tf_broadcast=True)
         before = self.node.call("get_graph").graph
         self.assertIn("desk", [place.label for place in before.places])
+        # A round, whose ends are linked though no place was made on the way between them.
+        self.assertGreaterEqual(len(before.links), len(before.places))
         later = self.drive(1, seed=7, ahead=60)
         self.play(later)
         self.assertIn(MapEvent.JOINED, self.kinds())
