@@ -83,7 +83,7 @@ class Listener {
     const Taken taken = intake_->take(topic, readMessage(message), kNow, buffer_);
     for (const AdaptedReading& reading : taken.readings) check(reading);
     for (const CheckedHeading& heading : taken.headings) {
-      require(!heading.problem.empty() || std::isfinite(heading.yaw), "a heading is not finite");
+      require(heading.problem || std::isfinite(heading.yaw), "a heading is not finite");
     }
     for (const auto& odometry : taken.transforms) addTransform(odometry, false, kNow, buffer_);
     intake_->wrongTypes();
