@@ -12,9 +12,9 @@ namespace {
 
 using experiments::fixed;
 
-const std::vector<std::string> kHeader{
-    "world", "sonars", "way", "online", "final",   "scale free", "places",  "doubled",
-    "false ties", "wrong",  "of",  "median", "99 %", "revisits",   "ms by m"};
+const std::vector<std::string> kHeader{"world",      "sonars", "way",     "online",     "final",
+                                       "scale free", "places", "doubled", "false ties", "wrong",
+                                       "of",         "median", "99 %",    "revisits",   "ms by m"};
 
 std::string share(std::size_t part, std::size_t whole) {
   return whole == 0 ? "" : fixed(static_cast<double>(part) / static_cast<double>(whole), 3);
@@ -56,8 +56,7 @@ MappingFigures mapped(const SuiteOptions& options, const sim::World& world, std:
   Truth truth;
   DrivePart part;
   part.compass = options.compass;
-  const MappingRun run =
-      drive(mapper, trials::simulateDrive(world, {}, recipe, seed), part, truth);
+  const MappingRun run = drive(mapper, trials::simulateDrive(world, {}, recipe, seed), part, truth);
   return figures(mapper, run, truth);
 }
 
@@ -69,8 +68,8 @@ experiments::Table tableOf(const SuiteOptions& options,
       const std::uint64_t seed = options.first_seed + static_cast<std::uint64_t>(i);
       const sim::World world = mappingWorld(name, seed, options.worlds);
       for (const auto& [sonars, indices] : rings) {
-        table.add(row(name + " " + std::to_string(seed), sonars,
-                      mapped(options, world, seed, indices)));
+        table.add(
+            row(name + " " + std::to_string(seed), sonars, mapped(options, world, seed, indices)));
       }
     }
   }

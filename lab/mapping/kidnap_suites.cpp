@@ -89,8 +89,8 @@ experiments::Table kidnapSuite(const SuiteOptions& options) {
       table.add({name + " " + std::to_string(seed), fixed(found.way, 0),
                  std::to_string(lost.losses), std::to_string(lost.said),
                  std::to_string(lost.false_alarms), fixed(lost.calibrationError(), 3),
-                 std::to_string(found.wrong), std::to_string(found.answers),
-                 fixed(found.final, 3), std::to_string(found.doubled)});
+                 std::to_string(found.wrong), std::to_string(found.answers), fixed(found.final, 3),
+                 std::to_string(found.doubled)});
     }
   }
   table.add({"all", fixed(all.way, 0), std::to_string(all.losses), std::to_string(all.said),
@@ -113,8 +113,7 @@ experiments::Table startSuite(const SuiteOptions& options) {
       drive(mapper, trials::simulateDrive(world, {}, recipe, options.first_seed), part, truth);
       mapper.setMode(core::MapperMode::kLocalize);
       recipe.changes = false;
-      const trials::Drive again =
-          trials::simulateDrive(world, {}, recipe, options.first_seed + 77);
+      const trials::Drive again = trials::simulateDrive(world, {}, recipe, options.first_seed + 77);
       std::vector<double> ways;
       int wrong = 0, never = 0;
       for (int k = 0; k < kStarts; ++k) {

@@ -61,8 +61,7 @@ LostModel softened(const Counts& counts, double softening, double lifted) {
     for (const std::size_t lost : {0U, 1U}) all[lost] += count[lost] + 0.5;
   }
   for (std::size_t i = 0; i < kScanWitnesses; ++i) {
-    const double ratio =
-        ((counts[i][1] + 0.5) / all[1]) / ((counts[i][0] + 0.5) / all[0]);
+    const double ratio = ((counts[i][1] + 0.5) / all[1]) / ((counts[i][0] + 0.5) / all[0]);
     model.ratios[i] = std::pow(ratio, softening);
   }
   return model;
@@ -100,7 +99,8 @@ experiments::Table lostFit(const SuiteOptions& options) {
   }
   experiments::Table table({"a scan that", "lost", "not lost", "ratio"});
   for (std::size_t i = 0; i < kScanWitnesses; ++i) {
-    table.add({kNames[i], fixed(counts[i][1], 0), fixed(counts[i][0], 0), fixed(best.ratios[i], 3)});
+    table.add(
+        {kNames[i], fixed(counts[i][1], 0), fixed(counts[i][0], 0), fixed(best.ratios[i], 3)});
   }
   table.add({"lifted by the metre", "", "", fixed(best.lifted_per_metre, 4)});
   table.add({"softening", "", "", fixed(softening, 1)});

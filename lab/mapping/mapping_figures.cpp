@@ -20,7 +20,9 @@ constexpr int kScansToSay = 3;     // after which a loss should be told
 constexpr double kLost = 0.5;      // P(lost) from which it is told
 constexpr double kSettled = 10.0;  // way after a loss in which one more alarm is no false one [m]
 
-double seconds(std::chrono::nanoseconds span) { return std::chrono::duration<double>(span).count(); }
+double seconds(std::chrono::nanoseconds span) {
+  return std::chrono::duration<double>(span).count();
+}
 
 double distance(const Pose2d& a, const Pose2d& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 

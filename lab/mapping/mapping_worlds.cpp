@@ -62,8 +62,8 @@ sim::World alikeCells(int cells, std::uint64_t seed) {
       // A desk along the back wall and a cabinet, where each person likes them.
       addBox(world, x + sim::uniform(rng, 1.2, 2.8), back - side * 0.5, 1.6, 0.8);
       const bool left = sim::uniform(rng) < 0.5;
-      addBox(world, left ? x + 0.35 : x + kCell - 0.35,
-             wall + side * sim::uniform(rng, 0.9, 2.4), 0.5, 0.9);
+      addBox(world, left ? x + 0.35 : x + kCell - 0.35, wall + side * sim::uniform(rng, 0.9, 2.4),
+             0.5, 0.9);
     }
   }
   world.walls.push_back({{{0.0, -kHalfWidth}, {0.0, kHalfWidth}}, {}});

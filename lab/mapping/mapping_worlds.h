@@ -16,8 +16,8 @@ sim::World halfTurnRoom();
 sim::World alikeCells(int cells, std::uint64_t seed);
 
 /// By its name: "half_turn", "cells", "corridor", "open_plan", "laboratory", "home", made by the
-/// seed, a world file's path, or a file of the folder `worlds` without its ending. Throws sim::WorldError where there is
-/// none such.
+/// seed, a world file's path, or a file of the folder `worlds` without its ending. Throws
+/// sim::WorldError where there is none such.
 sim::World mappingWorld(const std::string& name, std::uint64_t seed, const std::string& worlds);
 
 }  // namespace place_memory::mapping

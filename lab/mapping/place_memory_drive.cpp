@@ -53,7 +53,7 @@ void writeAnswers(std::ofstream& table, const Decisions& decisions) {
     } else {
       table << ",,,";
     }
-    table << ',' << decision.belief << ',' << decision.lost << ",\"" << decision.reason  << "\"\n";
+    table << ',' << decision.belief << ',' << decision.lost << ",\"" << decision.reason << "\"\n";
   }
 }
 
@@ -139,7 +139,8 @@ int main(int argc, char** argv) {
         "drive", po::value<std::vector<std::string>>()->required()->multitoken(),
         "drives, one session each")("out", po::value<std::string>()->required(),
                                     "prefix of the tables _T, _S, _M, _R, _truth.csv")(
-        "no-compass", "without the compass")("localize", "drives from the second on change nothing");
+        "no-compass", "without the compass")("localize",
+                                             "drives from the second on change nothing");
     po::variables_map given;
     po::store(po::parse_command_line(argc, argv, options), given);
     if (given.count("help")) {

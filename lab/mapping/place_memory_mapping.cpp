@@ -16,9 +16,9 @@ namespace place_memory::mapping {
 
 const std::map<std::string, std::function<experiments::Table(const SuiteOptions&)>>& suites() {
   static const std::map<std::string, std::function<experiments::Table(const SuiteOptions&)>> kAll{
-      {"drives", driveSuite},     {"sonars", sonarSuite}, {"kidnaps", kidnapSuite},
-      {"starts", startSuite},     {"sessions", sessionSuite}, {"links", linkSuite},
-      {"soak", soakSuite},        {"fit_lost", lostFit}};
+      {"drives", driveSuite}, {"sonars", sonarSuite},     {"kidnaps", kidnapSuite},
+      {"starts", startSuite}, {"sessions", sessionSuite}, {"links", linkSuite},
+      {"soak", soakSuite},    {"fit_lost", lostFit}};
   return kAll;
 }
 
@@ -56,15 +56,13 @@ int main(int argc, char** argv) {
         "drives, sonars, kidnaps, starts, sessions, links or soak")(
         "world", po::value<std::vector<std::string>>()->multitoken(),
         "those to drive about in: corridor, open_plan, laboratory, home, cells, half_turn, or a "
-        "world file's name")("worlds",
-                             po::value(&suite.worlds)->default_value("config/worlds"),
+        "world file's name")("worlds", po::value(&suite.worlds)->default_value("config/worlds"),
                              "folder of world files")(
         "first-seed", po::value(&suite.first_seed)->default_value(suite.first_seed),
         "of buildings and drives")("seeds", po::value(&suite.seeds)->default_value(suite.seeds),
                                    "drives in each world")(
         "way", po::value(&suite.way)->default_value(suite.way), "of a drive [m]")(
-        "scale-sigma",
-        po::value(&suite.noise.scale_sigma)->default_value(suite.noise.scale_sigma),
+        "scale-sigma", po::value(&suite.noise.scale_sigma)->default_value(suite.noise.scale_sigma),
         "of odometry's distances")(
         "yaw-noise", po::value(&suite.noise.yaw_noise)->default_value(suite.noise.yaw_noise),
         "of odometry [rad by the root of the way in m]")("no-compass", "robots have none")(

@@ -60,8 +60,10 @@ int main(int argc, char** argv) {
         "sonars", po::value<int>()->default_value(16), "of the ring of 16: 16, 8, 4")(
         "scale-sigma", po::value<double>()->default_value(0.02), "of odometry's distances")(
         "yaw-noise", po::value<double>()->default_value(0.0262),
-        "of odometry [rad by the root of the way in m]")("carried", po::value<std::vector<double>>()->multitoken(),
-        "ways at which it is carried elsewhere, rising [m]")("ahead", "the forward nine of them alone")("unchanged", "nothing changes half way");
+        "of odometry [rad by the root of the way in m]")(
+        "carried", po::value<std::vector<double>>()->multitoken(),
+        "ways at which it is carried elsewhere, rising [m]")(
+        "ahead", "the forward nine of them alone")("unchanged", "nothing changes half way");
     po::variables_map given;
     po::store(po::parse_command_line(argc, argv, options), given);
     if (given.count("help")) {

@@ -17,7 +17,8 @@ namespace place_memory::mapping {
 /// What all suites are told.
 struct SuiteOptions {
   std::string worlds;  ///< folder of world files
-  std::vector<std::string> names{"office", "hallway", "corridor", "open_plan", "laboratory", "home"};
+  std::vector<std::string> names{"office",    "hallway",    "corridor",
+                                 "open_plan", "laboratory", "home"};
   std::uint64_t first_seed = 1000;
   int seeds = 3;
   double way = 200.0;  ///< [m]

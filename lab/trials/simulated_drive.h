@@ -25,7 +25,7 @@ struct DriveRecipe {
   double bend_sigma = 1.0 * core::kPi / 180.0;      ///< likewise [rad/m]
   double yaw_noise = 1.5 * core::kPi / 180.0;       ///< [rad] by the root of the way [m]
   int people = 2;
-  bool changes = true;    ///< half way doors, chairs and bicycles are elsewhere
+  bool changes = true;  ///< half way doors, chairs and bicycles are elsewhere
   /// With `changes`: not half way, but each time so much way is done [m]; 0: half way.
   double change_every = 0.0;
   std::size_t start = 0;  ///< index of the place that it starts at

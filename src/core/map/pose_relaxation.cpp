@@ -124,8 +124,7 @@ class Equations {
       Eigen::VectorXd unit = Eigen::VectorXd::Zero(size_);
       unit[errors_ + k] = 1.0;
       const Eigen::VectorXd column = solver_.solve(unit);
-      (k == 0 ? sigmas.bend : sigmas.turn_factor) =
-          std::sqrt(std::max(column[errors_ + k], 0.0));
+      (k == 0 ? sigmas.bend : sigmas.turn_factor) = std::sqrt(std::max(column[errors_ + k], 0.0));
     }
     return sigmas;
   }

@@ -42,7 +42,7 @@ struct ClosureCandidate {
   Pose2d target_from_estimate;
   double score = 0.0;
   double prior = 0.0;  ///< of its newest witness
-  int misses = 0;  ///< scans at places of the target that did not agree
+  int misses = 0;      ///< scans at places of the target that did not agree
   std::vector<Witness> witnesses;
 
   /// How much speaks for it.

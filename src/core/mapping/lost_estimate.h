@@ -21,8 +21,8 @@ constexpr std::size_t kScanWitnesses = 6;
 /// How often robots are carried, and by how much more often a lost robot's scans are of each kind
 /// than another's. Neighbouring scans share readings, so these ratios are softened.
 struct LostModel {
-  double lifted_per_metre;                     ///< of way, > 0
-  std::array<double, kScanWitnesses> ratios;   ///< in the order of ScanWitness, > 0
+  double lifted_per_metre;                    ///< of way, > 0
+  std::array<double, kScanWitnesses> ratios;  ///< in the order of ScanWitness, > 0
 };
 
 /// P(lost): a two-state filter. A robot may be lifted at any time; scans at known places tell.

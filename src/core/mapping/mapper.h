@@ -131,8 +131,8 @@ class Mapper {
   const OdometryErrors& odometryErrorSigmas() const { return graph_.errorSigmas(); }
   /// Nodes before this one are of the map that was taken up.
   NodeIndex firstOfDrive() const { return first_of_drive_; }
-  /// The scans of this drive, without their readings, where they lie now; with `keep_way` also those
-  /// that were thinned out.
+  /// The scans of this drive, without their readings, where they lie now; with `keep_way` also
+  /// those that were thinned out.
   std::vector<ScanNode> way() const;
 
  private:
@@ -144,7 +144,7 @@ class Mapper {
   /// What one scan showed.
   struct View {
     LaidScan laid;
-    bool at_place = false;                 ///< one is near where the robot thinks it is
+    bool at_place = false;                  ///< one is near where the robot thinks it is
     NewestReadings::Agreement agreement{};  ///< with the place that should be there
     bool tracked = false;
     double best = 0.0;               ///< probability of the best place
@@ -194,7 +194,7 @@ class Mapper {
   ScanTying tying_;
   NewestReadings newest_;
   LoopCloser closer_;
-  ClosureCandidates loops_;  ///< within the session's own frame
+  ClosureCandidates loops_;    ///< within the session's own frame
   ClosureCandidates carried_;  ///< likewise, where odometry cannot have brought the robot
   ClosureCandidates joins_;    ///< with the map, while the session is apart
   std::vector<ScanDecision> decisions_;

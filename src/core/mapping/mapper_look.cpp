@@ -9,7 +9,7 @@ namespace place_memory::core {
 namespace {
 
 constexpr double kDegree = kPi / 180.0;
-constexpr double kAtPlace = 0.6;        ///< so near to a place a scan should show it [m]
+constexpr double kAtPlace = 0.6;  ///< so near to a place a scan should show it [m]
 constexpr double kCompassWindow = 45.0 * kDegree;
 constexpr double kCompassAgrees = 30.0 * kDegree;
 constexpr double kUseful = 0.3;      ///< probability of a match that is worth something
@@ -46,7 +46,8 @@ void Mapper::lookForOwnSession(NodeIndex at, View& view) {
   WaySearch ways(graph_, at, kFarthestWay);
   // A scan that was begun where the robot was carried from still looks like there.
   if (!view.agreement.contradicts) {
-    view.tracked = tying_.track(at, view.laid, fits, ways, view.agreement.disagrees, closer_.onTrial());
+    view.tracked =
+        tying_.track(at, view.laid, fits, ways, view.agreement.disagrees, closer_.onTrial());
   }
   view.best = fits.empty() ? 0.0 : fits.front().probability;
   sortOut(tying_.sightings(view.tracked ? fits : recognizeAnyhow(*own, view.laid, fits), view.laid),

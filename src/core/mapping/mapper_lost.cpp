@@ -11,11 +11,11 @@ namespace {
 constexpr double kSurelyAnchored = 12.0;
 constexpr double kSurelyElsewhere = 0.82;  ///< probability of another place
 constexpr double kSurelyLost = 0.98;
-constexpr double kDeviates = 0.45;        ///< of the compass, so that any heading is looked at [rad]
-constexpr double kDoubtful = 0.2;         ///< P(lost) from which no place is named
-constexpr double kJustTied = 3.6;         ///< way driven since the middle of a scan of late [m]
-constexpr NodeIndex kNodesBefore = 8;     ///< a scan's stretch and more
-constexpr NodeIndex kLongPart = 16;       ///< that is a way of its own
+constexpr double kDeviates = 0.45;     ///< of the compass, so that any heading is looked at [rad]
+constexpr double kDoubtful = 0.2;      ///< P(lost) from which no place is named
+constexpr double kJustTied = 3.6;      ///< way driven since the middle of a scan of late [m]
+constexpr NodeIndex kNodesBefore = 8;  ///< a scan's stretch and more
+constexpr NodeIndex kLongPart = 16;    ///< that is a way of its own
 constexpr double kRegion = 1.0;        ///< of a place, for the belief [m]
 constexpr std::size_t kMostTold = 32;  ///< places of a belief
 
@@ -89,8 +89,8 @@ void Mapper::judgeLost(NodeIndex at, const View& view, ScanDecision& decision) {
   if (!node.before || session_ != kMapSession || node.session != kMapSession) return;
   decision.witness = witnessOf(view);
   lost_.update(decision.witness, node.last_way - graph_.node(*node.before).last_way);
-  const bool here = decision.witness != ScanWitness::kSilent &&
-                    decision.witness != ScanWitness::kDoubts;
+  const bool here =
+      decision.witness != ScanWitness::kSilent && decision.witness != ScanWitness::kDoubts;
   if (here && lost_.probability() > kSurelyLost) partWays();
 }
 
@@ -139,8 +139,8 @@ void Mapper::beginApart() {
   joins_ = ClosureCandidates(options_.mode == MapperMode::kMap ? options_.join : options_.relocate);
   closer_.endTrial();
   std::size_t known = 0;
-  compass_guides_ = std::all_of(
-      shelf_.places().begin(), shelf_.places().end(), [&](const auto& place) {
+  compass_guides_ =
+      std::all_of(shelf_.places().begin(), shelf_.places().end(), [&](const auto& place) {
         const std::optional<double> deviation = graph_.compassDeviation(place.second);
         known += deviation ? 1 : 0;
         return !deviation || std::abs(*deviation) < kDeviates;

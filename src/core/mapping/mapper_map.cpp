@@ -13,7 +13,7 @@ constexpr double kLostAfterClosure = 0.05;
 /// No tie may be further off than three sigma: of three numbers together [sigma^2].
 constexpr double kFarOff = 14.2;
 constexpr double kRemembered = 3.0;  ///< places about by which a thinned scan is remembered [m]
-constexpr int kSteps = 15;  ///< of a relaxation after a change of what is known
+constexpr int kSteps = 15;           ///< of a relaxation after a change of what is known
 
 }  // namespace
 
@@ -92,7 +92,9 @@ void Mapper::afterRelaxing() {
 
 void Mapper::thinOut() {
   // Who refers to nodes by their indices is empty then, but for the shelf.
-  if (!loops_.empty() || !carried_.empty() || !joins_.empty() || !undecided_.empty() || closer_.onTrial() != 0) return;
+  if (!loops_.empty() || !carried_.empty() || !joins_.empty() || !undecided_.empty() ||
+      closer_.onTrial() != 0)
+    return;
   const std::vector<ScanNode> before = options_.keep_way ? graph_.nodes() : std::vector<ScanNode>{};
   const auto now = thin(graph_, options_.thinning);
   if (!now) return;

@@ -58,7 +58,7 @@ std::string Mapper::reasonOf(NodeIndex at, const View& view, const ScanDecision&
       if (session_ != kMapSession) {
         reason = "where this session lies in the map is not known; ";
         reason += join ? evidence(*join, options_.mode == MapperMode::kMap ? options_.join
-                                                                          : options_.relocate)
+                                                                           : options_.relocate)
                        : "the scan is of no place of the map that is known by far";
       } else if (carried) {
         reason = "odometry cannot have brought the robot there, but " +
@@ -76,8 +76,8 @@ std::string Mapper::reasonOf(NodeIndex at, const View& view, const ScanDecision&
                  (near.empty() ? std::string("what is near") : named(near.front().id)) +
                  " (agreement " + fixed(*view.agreement.newest, 2) + ")";
       } else if (view.at_place) {
-        reason = "it should be of " + named(near.front().id) + ", but does not look so (best match " +
-                 fixed(view.best, 2) + ")";
+        reason = "it should be of " + named(near.front().id) +
+                 ", but does not look so (best match " + fixed(view.best, 2) + ")";
       } else {
         reason = nearest;
       }

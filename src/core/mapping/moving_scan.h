@@ -39,7 +39,7 @@ struct MovingScan {
   /// In the base's frame at the middle of the stretch.
   std::shared_ptr<const std::vector<SonarReading>> readings;
   std::size_t first_newest = 0;  ///< of the readings, the first one from after the middle
-  bool enough = true;  ///< false: fewer readings than asked for on the longest stretch
+  bool enough = true;            ///< false: fewer readings than asked for on the longest stretch
 };
 
 /// Lays readings that come while the robot drives out along odometry. Standing adds no way, and a

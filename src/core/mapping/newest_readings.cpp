@@ -7,9 +7,9 @@
 namespace place_memory::core {
 namespace {
 
-constexpr double kNear = 1.5;          // [m]
-constexpr std::size_t kFewest = 15;    // readings
-constexpr int kFewestCells = 20;       // that tell
+constexpr double kNear = 1.5;        // [m]
+constexpr std::size_t kFewest = 15;  // readings
+constexpr int kFewestCells = 20;     // that tell
 constexpr double kDisagrees = 0.35;
 constexpr double kSurelyDisagrees = 0.2;
 constexpr double kHalvesDiffer = 0.25;

@@ -16,8 +16,8 @@ constexpr double kTurnNoise = 0.03;          // of a turn
 constexpr double kCompassSigma = 30.0 * kDegree;
 /// Ties of neighbouring scans err together, since those share readings.
 constexpr double kTieDoubt = 2.0;
-constexpr double kAgreed = 9.0;  ///< chi square up to which a tie is a way
-constexpr double kTieWay = 0.1;  // [m]
+constexpr double kAgreed = 9.0;   ///< chi square up to which a tie is a way
+constexpr double kTieWay = 0.1;   // [m]
 constexpr double kAtPlace = 1.0;  ///< a scan's compass is that of the place [m]
 
 Eigen::Matrix3d motionInformation(double way, double turn) {

@@ -84,7 +84,8 @@ bool ScanTying::track(NodeIndex node, const LaidScan& scan, const std::vector<Pl
     const double off = std::hypot(sighting.pose.x - estimate.x, sighting.pose.y - estimate.y);
     const double turn = std::abs(wrapAngle(sighting.pose.yaw - estimate.yaw));
     const bool close = off <= 0.5 && turn <= 8.0 * kDegree && sighting.probability >= 0.3;
-    const bool sure = !near_only && off <= 1.0 && turn <= 15.0 * kDegree && sighting.probability >= 0.82;
+    const bool sure =
+        !near_only && off <= 1.0 && turn <= 15.0 * kDegree && sighting.probability >= 0.82;
     return (close || sure) && off <= 0.3 + 3.0 * sigmaTo(sighting.place);
   });
   if (!there) return false;

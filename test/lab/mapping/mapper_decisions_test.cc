@@ -54,8 +54,8 @@ TEST(MapperDecisions, ARobotTooFastForItsSensorsIsToldSo) {
   Truth truth;
   const MappingRun run = drive(mapper, trials::simulateDrive(office(), {}, fast, 4), {}, truth);
   // Where it turns on the spot there are readings enough.
-  const auto told = std::count_if(
-      run.decisions.begin(), run.decisions.end(), [](const DecisionRecord& record) {
+  const auto told =
+      std::count_if(run.decisions.begin(), run.decisions.end(), [](const DecisionRecord& record) {
         return record.decision.reason.find("too fast") != std::string::npos;
       });
   EXPECT_GT(2 * static_cast<std::size_t>(told), run.decisions.size());

@@ -47,8 +47,8 @@ TEST(MapperTrust, CellsThatAreAlikeAreKeptApart) {
   Truth truth;
   DrivePart part;
   part.compass = false;
-  const MappingRun run = drive(
-      mapper, trials::simulateDrive(alikeCells(4, 11), {}, recipe(120.0), 11), part, truth);
+  const MappingRun run =
+      drive(mapper, trials::simulateDrive(alikeCells(4, 11), {}, recipe(120.0), 11), part, truth);
   const MappingFigures found = figures(mapper, run, truth);
   EXPECT_EQ(found.false_ties, 0U);
   EXPECT_EQ(found.wrong, 0U);
@@ -59,8 +59,9 @@ TEST(MapperTrust, CarriedAwayItNamesNoPlaceWhereItIsNot) {
   carried.carried = {80.0};
   core::Mapper mapper(mapperOptions());
   Truth truth;
-  const MappingRun run = drive(
-      mapper, trials::simulateDrive(mappingWorld("office", 0, kWorlds), {}, carried, 21), {}, truth);
+  const MappingRun run =
+      drive(mapper, trials::simulateDrive(mappingWorld("office", 0, kWorlds), {}, carried, 21), {},
+            truth);
   EXPECT_EQ(figures(mapper, run, truth).wrong, 0U);
   LostFigures lost;
   lost.add(run);
