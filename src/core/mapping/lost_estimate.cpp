@@ -7,10 +7,10 @@ namespace place_memory::core {
 namespace {
 
 constexpr double kLeast = 1e-3;
-/// New ground may look like known ground for long, and is no more than a doubt.
-constexpr double kMostDoubt = 0.3;
+/// New ground may look like known ground for long, and is never more than a strong doubt.
+constexpr double kMostDoubt = 0.6;
 /// The counts of place_memory_mapping fit_lost, softened by half: neighbours share most readings.
-constexpr LostModel kFitted{0.0015, {0.15, 1.0, 3.2, 6.0, 1.4, 6.0}};
+constexpr LostModel kFitted{0.0015, {0.15, 1.0, 3.2, 6.0, 2.0, 6.0}};
 
 }  // namespace
 

@@ -13,7 +13,8 @@ constexpr double kSurelyElsewhere = 0.82;  ///< probability of another place
 constexpr double kSurelyLost = 0.98;
 constexpr double kDeviates = 0.45;     ///< of the compass, so that any heading is looked at [rad]
 constexpr double kDoubtful = 0.2;      ///< P(lost) from which no place is named
-constexpr double kJustTied = 3.6;      ///< way driven since the middle of a scan of late [m]
+constexpr double kNoDoubt = 0.01;      ///< P(lost) of a robot that was tracked a scan ago
+constexpr double kJustTied = 2.1;      ///< way since the middle of a scan that was tracked [m]
 constexpr NodeIndex kNodesBefore = 8;  ///< a scan's stretch and more
 constexpr NodeIndex kLongPart = 16;    ///< that is a way of its own
 constexpr std::size_t kMostTold = 32;  ///< places of a belief
@@ -96,8 +97,12 @@ void Mapper::judgeLost(NodeIndex at, const View& view, ScanDecision& decision) {
 }
 
 bool Mapper::inDoubt(const View& view) const {
-  const bool agrees = view.agreement.newest.value_or(0.0) >= kAgrees;
-  const bool just_tied = reckoning_.way() - anchored_way_ <= kJustTied;
+  // Where nothing speaks against it, little that is seen does not either.
+  const double unseen = lost_.probability() < kNoDoubt ? 1.0 : 0.0;
+  const bool agrees = view.agreement.newest.value_or(unseen) >= kAgrees;
+  const ScanNode& node = graph_.nodes().back();
+  const double middle = 0.5 * (node.first_way + node.last_way);
+  const bool just_tied = middle - anchored_way_ <= kJustTied;
   return lost_.probability() > kDoubtful || !agrees || !just_tied;
 }
 

@@ -42,18 +42,6 @@ TEST_P(HalfTurn, ARoomThatLooksTheSameTurnedByHalfATurnIsNotClosedSo) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, HalfTurn, testing::Values(1, 2));
 
-TEST(MapperTrust, CellsThatAreAlikeAreKeptApart) {
-  core::Mapper mapper(mapperOptions());
-  Truth truth;
-  DrivePart part;
-  part.compass = false;
-  const MappingRun run =
-      drive(mapper, trials::simulateDrive(alikeCells(4, 11), {}, recipe(120.0), 11), part, truth);
-  const MappingFigures found = figures(mapper, run, truth);
-  EXPECT_EQ(found.false_ties, 0U);
-  EXPECT_EQ(found.wrong, 0U);
-}
-
 TEST(MapperTrust, CarriedAwayItNamesNoPlaceWhereItIsNot) {
   trials::DriveRecipe carried = recipe(140.0);
   carried.carried = {80.0};
