@@ -4,6 +4,7 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
@@ -23,10 +24,11 @@ constexpr std::size_t kStandingScans = 64;    // that may still become places
 // What an alignment leaves open of where the robot is.
 constexpr double kAligned = 0.05;                         // [m]
 constexpr double kAlignedTurn = 2.0 * core::kPi / 180.0;  // [rad]
+constexpr double kTurnNoise = 2.0 * core::kPi / 180.0;    // by the root of the way [m]
 
 std::array<double, 9> covarianceAfter(double untied_way, bool compass) {
   const double position = kAligned + core::positionSigma(untied_way, compass);
-  const double turn = kAlignedTurn + core::yawSigma(untied_way);
+  const double turn = kAlignedTurn + kTurnNoise * std::sqrt(untied_way);
   std::array<double, 9> covariance{};
   covariance[0] = covariance[4] = position * position;
   covariance[8] = turn * turn;
