@@ -9,7 +9,9 @@ namespace {
 
 constexpr GridGeometry kGeometry{0.1};
 
-std::size_t cellAt(int column, int row) { return static_cast<std::size_t>(row * kTileSize + column); }
+std::size_t cellAt(int column, int row) {
+  return static_cast<std::size_t>(row * kTileSize + column);
+}
 
 TEST(GridSampling, OnTheGridsOwnLatticeCellsAreTheGrids) {
   EvidenceGrid grid(kGeometry);

@@ -92,10 +92,9 @@ int sumAt(const KnownPlaces& places, double x, double y) {
     double evidence = 0.0;
     for (int i = 0; i < 2; ++i) {
       for (int j = 0; j < 2; ++j) {
-        const double weight =
-            (1.0 - std::abs(column - c0 - j)) * (1.0 - std::abs(row - r0 - i));
-        evidence += weight * evidenceOf(*known.grid, static_cast<int>(r0) + i,
-                                        static_cast<int>(c0) + j);
+        const double weight = (1.0 - std::abs(column - c0 - j)) * (1.0 - std::abs(row - r0 - i));
+        evidence +=
+            weight * evidenceOf(*known.grid, static_cast<int>(r0) + i, static_cast<int>(c0) + j);
       }
     }
     sum += static_cast<int>(std::lround(evidence));
