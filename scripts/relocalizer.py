@@ -55,7 +55,7 @@ class Relocalizer:
         result, answer = Result(status=Result.NO_NODE), None
         with self.one_at_a_time:
             for number in range(1, tries + 1):
-                if not self.scan.wait_for_server(rospy.Duration(PATIENCE)):
+                if not self.is_memory_there():
                     result.message = "there is no place memory " + self.node
                     break
                 tell(number, "scan %d of %d" % (number, tries))
@@ -76,6 +76,13 @@ class Relocalizer:
                 if result.status == Result.FOUND:
                     break
         return result, answer
+
+    def is_memory_there(self):
+        try:
+            self.recognize.wait_for_service(PATIENCE)  # of the wall clock, simulated or not
+        except rospy.ROSException:
+            return False
+        return self.scan.wait_for_server()  # of a node that is there
 
     def scan_once(self, is_canceled):
         """Its result; None where it was canceled."""

@@ -112,7 +112,10 @@ TwinScore tryTwins(const std::vector<sim::World>& worlds, const sim::SimulatedRo
       },
       options);
   std::set<std::pair<core::PlaceId, core::PlaceId>> pairs;
-  for (const core::Twin& twin : twins) pairs.emplace(twin.place, twin.other);
+  for (const core::Twin& twin : twins) {  // who looks like whom is no matter of direction
+    pairs.emplace(twin.place, twin.other);
+    pairs.emplace(twin.other, twin.place);
+  }
 
   TwinScore score;
   score.places = learned.map.size();
