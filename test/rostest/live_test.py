@@ -35,6 +35,7 @@ SERVICES = {
     "report_traversal": srv.ReportTraversal,
     "set_link": srv.SetLink,
     "make_plan": GetPlan,
+    "undo": srv.Undo,
 }
 
 
