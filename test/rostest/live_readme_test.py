@@ -45,7 +45,7 @@ class LiveReadmeTest(live_test.LiveTestCase):
         output = process.stdout.read()
         self.assertEqual(process.returncode, 0, command + "\n" + output)
         self.assertNotIn("ERROR", output, command)
-        if command.startswith("rosservice call"):
+        if command.startswith("rosservice call") and "/make_plan " not in command:
             self.assertRegex(output, r"(?m)^status: 0$", command)
         return output
 

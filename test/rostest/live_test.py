@@ -37,6 +37,7 @@ SERVICES = {
     "make_plan": GetPlan,
     "set_mode": srv.SetMode,
     "relocalize": srv.Relocalize,
+    "undo": srv.Undo,
 }
 
 
