@@ -18,10 +18,9 @@ class EchoDialect {
   /// Whether the sensor's next range is such a word; then what kind of value it is, as "max_range".
   /// max_range within a hair, FLT_MAX, -1 and 0 with min_range 0 count at once; another negative
   /// value once the sensor has repeated it; one beyond max_range likewise, but only where echoes
-  /// came, too; a value at the top of what the sensor ever said once it came back several times, and
-  /// nothing came near it.
-  /// A range whose stamp is not newer than all before says nothing of the sensor: a bag may be read
-  /// twice.
+  /// came, too; a value at the top of what the sensor ever said once it came back several times,
+  /// and nothing came near it. A range whose stamp is not newer than all before says nothing of the
+  /// sensor: a bag may be read twice.
   std::optional<std::string> noEcho(std::chrono::nanoseconds stamp, double range,
                                     const core::SonarSpec& spec,
                                     const config::NoEchoOptions& options);
