@@ -93,7 +93,7 @@ const std::map<std::string, Parts> kMayUse{
     {"lab/training", {"lab/trials"}},
     {"lab/experiments", {"lab/trials"}},
     {"lab/benchmark", {"lab/trials", "google_benchmark"}},
-    {"lab/mapping", {"lab/trials"}},
+    {"lab/mapping", {"lab/experiments"}},
     {"lab/reports", {"lab/trials"}},
     {"lab/routes", {"lab"}},
 };
@@ -112,7 +112,7 @@ const std::vector<Rule>& headerRules() {
   static const std::vector<Rule> rules{
       {std::regex("(core|sim|node)/([a-z0-9_]+)/[a-z0-9_]+\\.h"), "$1/$2"},
       {std::regex("(config|picture|sim_node|node|support|tools)/[a-z0-9_]+\\.h"), "$1"},
-      {std::regex("(trials|training|experiments|reports|routes)/[a-z0-9_]+\\.h"), "lab/$1"},
+      {std::regex("(trials|training|experiments|mapping|reports|routes)/[a-z0-9_]+\\.h"), "lab/$1"},
       {std::regex("benchmark/benchmark\\.h"), "google_benchmark"},
       {std::regex("benchmark/[a-z0-9_]+\\.h"), "lab/benchmark"},
       {std::regex("embedded_presets\\.h"), "config"},  // generated

@@ -15,8 +15,6 @@
 #include "place_memory/core/adaptation_options.h"
 #include "place_memory/core/link_learning.h"
 #include "place_memory/core/map_change.h"
-#include "place_memory/core/map_history.h"
-#include "place_memory/core/merge_report.h"
 #include "place_memory/core/recognition.h"
 #include "place_memory/core/recognizer_options.h"
 #include "place_memory/core/routes.h"
@@ -86,6 +84,21 @@ struct StoreHealth {
   std::chrono::nanoseconds since{0};  ///< when it became so, by PlaceMemoryOptions::clock
   /// What is damaged in the store and left out, a sentence each.
   std::vector<std::string> set_aside;
+};
+
+/// What came of taking in the places of another store.
+struct MergeReport {
+  /// A label that a place of the map had already, and what the new place is called instead.
+  struct Collision {
+    std::string label;
+    std::string new_label;
+  };
+
+  std::size_t added = 0;   ///< places
+  std::size_t known = 0;   ///< places that were in the map already, by identity or recognition
+  std::size_t joined = 0;  ///< sessions of the other store that lie in a frame of the map now
+  std::size_t apart = 0;   ///< sessions whose frame is not known: they are sessions of their own
+  std::vector<Collision> collisions;
 };
 
 /// Learns places, recognizes them, and keeps them in the topological/metric map (paper 3, 4).

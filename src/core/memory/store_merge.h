@@ -6,8 +6,8 @@
 
 #include "core/store/place_store.h"
 #include "place_memory/core/map_change.h"
-#include "place_memory/core/merge_report.h"
 #include "place_memory/core/place_map.h"
+#include "place_memory/core/place_memory.h"
 #include "place_memory/core/scan.h"
 
 namespace place_memory::core {

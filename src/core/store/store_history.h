@@ -10,7 +10,6 @@
 #include "core/store/store_head.h"
 #include "core/store/store_reader.h"
 #include "place_memory/core/map_change.h"
-#include "place_memory/core/map_history.h"
 
 namespace place_memory::core {
 
