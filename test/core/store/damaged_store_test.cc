@@ -50,7 +50,7 @@ const Damage kDamages[] = {
     {"Text", replaceBy(std::string(5000, 'x')), "is not a place store"},
     {"ShortText", replaceBy("label,x,y\n"), "cut short"},
     {"OtherDatabase", sql("PRAGMA application_id = 7"), "is not a place store"},
-    {"NewerVersion", sql("PRAGMA user_version = 5"), "newer version"},
+    {"NewerVersion", sql("PRAGMA user_version = 6"), "newer version"},
     {"OlderVersionThanItsTables", sql("PRAGMA user_version = 2"), "damaged"},
     {"ScribbledSchema", scribbleAt(110), "damaged"},
     {"ScribbledTable", scribbleAt(2 * 4096), "damaged"},
