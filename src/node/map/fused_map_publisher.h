@@ -49,6 +49,7 @@ class FusedMapPublisher {
 
   core::PlaceMemory& memory_;
   const config::Parameters& parameters_;
+  GuardedQueue queue_{"maps"};  ///< outlives what is advertised with it
   ros::Publisher map_;
   ros::Publisher metadata_;
 
@@ -61,7 +62,6 @@ class FusedMapPublisher {
 
   core::FusedMap fused_;  ///< the task's
   bool begun_ = false;    ///< likewise: whether it has the places that were there at the start
-  GuardedQueue queue_{"maps"};
   ros::ServiceServer server_;
   ros::AsyncSpinner spinner_;
   RatedTask task_;  ///< ends before what it uses
