@@ -78,7 +78,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
                                  drive_publisher_, parameters_, store_problem_}),
       route_services_(
           private_names_, *memory_, [this] { return believedPlaces(); }, parameters_),
-      store_services_(private_names_, *memory_, answer_publisher_, parameters_) {
+      store_services_(private_names_, *memory_, driver_, answer_publisher_, parameters_) {
   setUpDiagnostics();
   sayWhatIsKnown();
   drive_publisher_.publish(config::Mode::kOff);

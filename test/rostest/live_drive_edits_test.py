@@ -107,6 +107,31 @@ class LiveDriveEditsTest(live_test.LiveTestCase):
         self.assertGreater(min(place.id for place in self.graph().places), max(ids))
         self.assertEqual(self.node.latched("mode", String).data, "map")
 
+    def test_a_drive_goes_on_with_a_map_that_is_loaded_or_undone(self):
+        self.start(mode="map")
+        self.place_in_hall(-3.0)
+        self.drive(6.0)
+        self.run_robot(lambda: len(self.labels()) >= 2, "some places")
+        self.assert_answer(self.node.call("set_mode", mode="off"), 0)
+        self.assert_answer(self.node.call("set_mode", mode="map"), 0)
+        known = self.labels()
+        self.assert_answer(self.node.call("save", path="copy.db"), 0)
+        self.assert_answer(self.node.call("clear"), 0)
+        self.drive(-6.0)
+        self.run_robot(lambda: self.labels(), "new places")
+        self.assert_answer(self.node.call("load", path="copy.db"), 0)
+        self.assertEqual(self.labels(), known)
+        ids = [place.id for place in self.graph().places]
+        # What is made from here on has ids that nobody had, and so is kept.
+        self.drive(6.0)
+        self.run_robot(lambda: len(self.labels()) > len(known), "places of the drive")
+        self.assertGreater(max(place.id for place in self.graph().places), max(ids))
+        self.assert_answer(self.node.call("rename_place", label=known[0], new_label="desk"), 0)
+        self.assert_answer(self.node.call("undo"), 0)
+        self.assertIn(known[0], self.labels())
+        self.assertEqual(self.node.latched("mode", String).data, "map")
+        self.assertIsNone(self.node.process.poll())
+
     def test_without_a_place_there_is_nothing_to_localize_by(self):
         self.start(mode="map")
         self.scan_well()

@@ -32,6 +32,10 @@ def where_it_lies(link):
     return link.first_id, link.second_id, link.transform, link.covariance
 
 
+def travels(graph):
+    return sum(link.forward.succeeded + link.backward.succeeded for link in graph.links)
+
+
 def distance(one, other):
     return math.hypot(one[0] - other[0], one[1] - other[1])
 
@@ -204,6 +208,10 @@ class LiveDriveTest(unittest.TestCase):
         self.play(again)
         self.assertIn(MapEvent.FOUND, self.kinds())
         self.assertLess(self.error(first, again), 0.3)
+
+        # What links learn is kept when the drive ends, at the latest.
+        self.assert_ok(self.set_mode("off"))
+        self.assertGreater(travels(self.node.call("get_graph").graph), travels(before))
 
     def initialpose(self):
         publisher = rospy.Publisher(self.node.name.rsplit("/", 1)[0] + "/initialpose",

@@ -38,6 +38,8 @@ SERVICES = {
     "set_mode": srv.SetMode,
     "relocalize": srv.Relocalize,
     "undo": srv.Undo,
+    "save": srv.Save,
+    "load": srv.Load,
 }
 
 

@@ -197,6 +197,9 @@ class PLACE_MEMORY_PUBLIC PlaceMemory {
   void keep(const KeptMap& map);
   /// Of all that only the places that are new. Throws likewise.
   void keepNewPlaces(const KeptMap& map);
+  /// Of a drive on a map that stays: links learn from it how the robot gets along, and nothing else
+  /// changes. Throws likewise.
+  void keepTravels(const KeptMap& map);
 
   /// Number of places.
   std::size_t size() const;

@@ -148,15 +148,26 @@ std::vector<MapEdit> DrivenPlaces::edits(const PlaceMap& map, const KeptMap& dri
     there.insert(id);
   }
   const auto is_new = [&map](PlaceId id) { return map.find(id) == nullptr; };
-  TravelledLinks links(map);
+  TravelledLinks links(map, learning_);
   for (const PlaceTravel& travel : travelsOf(drive)) {
     if (there.count(travel.from) == 0 || there.count(travel.to) == 0) continue;
     if (only_new && !is_new(travel.from) && !is_new(travel.to)) continue;
     links.add(travel, placeFromRobot(*places.at(travel.from), map),
               placeFromRobot(*places.at(travel.to), map));
   }
-  links.appendTo(edits);
+  edits.insert(edits.end(), links.edits().begin(), links.edits().end());
   return edits;
+}
+
+std::vector<MapEdit> DrivenPlaces::travels(const PlaceMap& map, const KeptMap& drive) const {
+  const NodesOfPlaces places = placesOf(drive);
+  TravelledLinks links(map, learning_);
+  for (const PlaceTravel& travel : travelsOf(drive)) {
+    if (map.findLink(travel.from, travel.to) == nullptr) continue;
+    links.add(travel, placeFromRobot(*places.at(travel.from), map),
+              placeFromRobot(*places.at(travel.to), map));
+  }
+  return links.edits();
 }
 
 void DrivenPlaces::kept(const PlaceMap& map, const KeptMap& drive) {

@@ -7,6 +7,7 @@
 
 #include "core/map/kept_map.h"
 #include "core/store/place_store.h"
+#include "place_memory/core/link_learning.h"
 #include "place_memory/core/map_change.h"
 #include "place_memory/core/sonar_model.h"
 
@@ -16,8 +17,9 @@ namespace place_memory::core {
 /// a place is a place, and places that were learned otherwise are nodes of the mapper's map.
 class DrivenPlaces {
  public:
-  DrivenPlaces(double cell_size, const SonarModelOptions& sonar)
-      : geometry_{cell_size}, sonar_(sonar) {}
+  DrivenPlaces(double cell_size, const SonarModelOptions& sonar,
+               const LinkLearningOptions& learning)
+      : geometry_{cell_size}, sonar_(sonar), learning_(learning) {}
 
   /// What a mapper takes up: see PlaceMemory::drivenMap(). Throws StoreError.
   KeptMap take(const PlaceMap& map, const PlaceStore& store);
@@ -28,7 +30,9 @@ class DrivenPlaces {
   /// all edits those that add a place, and link it.
   std::vector<MapEdit> edits(const PlaceMap& map, const KeptMap& drive, PlaceId next_id,
                              bool only_new) const;
-  /// Those edits were made.
+  /// The edits by which links of the map of places learn from the drive, and nothing else changes.
+  std::vector<MapEdit> travels(const PlaceMap& map, const KeptMap& drive) const;
+  /// The edits were made.
   void kept(const PlaceMap& map, const KeptMap& drive);
 
  private:
@@ -37,6 +41,7 @@ class DrivenPlaces {
 
   GridGeometry geometry_;
   SonarModel sonar_;
+  LinkLearningOptions learning_;
   std::set<PlaceId> kept_;  ///< places of the drive, when it was kept last
 };
 

@@ -24,6 +24,10 @@ void PlaceMemory::Impl::keepNewPlaces(const KeptMap& map) {
   });
 }
 
+void PlaceMemory::Impl::keepTravels(const KeptMap& map) {
+  queue_.run([&] { writer_.commitDriven(driven_places_.travels(state_.map, map), nullptr); });
+}
+
 void PlaceMemory::Impl::followDrive(const std::optional<DriveWhereabouts>& whereabouts) {
   const std::lock_guard<std::mutex> lock(state_.mutex);
   const Place* current = whereabouts ? state_.map.find(whereabouts->current) : nullptr;

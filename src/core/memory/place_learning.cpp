@@ -109,13 +109,17 @@ PlaceMemory::Learned PlaceMemory::Impl::learnNow(const Scan& scan, const std::st
                  std::make_shared<const std::vector<SonarReading>>(scan.readings)}};
   const auto& previous = footing.previous;
   if (previous && state_.map.find(previous->place) != nullptr) {
-    const Traversal came =
-        read([&](const MemoryState&) { return wayTo(scan, previous->place, place.id); });
-    PlaceLink link = linkTo(place.id, scan.odom_from_scan, *previous, located_, scan.end);
+    LinkAdded edit{linkTo(place.id, scan.odom_from_scan, *previous, located_, scan.end), {}};
+    PlaceLink& link = edit.link;
     link.forward = {};
-    link.forward =
-        learned(link.forward, came, expectedTime(link, link.forward, links_), links_.half_life);
-    edits.emplace_back(LinkAdded{link, came});
+    // A drive tells of the way itself.
+    if (!footing.driven) {
+      edit.traversal =
+          read([&](const MemoryState&) { return wayTo(scan, previous->place, place.id); });
+      link.forward = learned(link.forward, *edit.traversal,
+                             expectedTime(link, link.forward, links_), links_.half_life);
+    }
+    edits.emplace_back(std::move(edit));
   }
   std::optional<SessionJoin> joined;
   writer_.commit(std::move(edits), [&] {

@@ -43,7 +43,7 @@ PlaceMemory::Impl::Impl(const PlaceMemoryOptions& options, PlaceStore store)
       state_(store, located_, options.links),
       links_(options.links),
       writer_(std::move(store), state_, options.clock ? options.clock : systemTime),
-      driven_places_(options.cell_size, options.sonar) {}
+      driven_places_(options.cell_size, options.sonar, options.links) {}
 
 PlaceMemory::Impl::Tuning PlaceMemory::Impl::tuningOf(const RecognizerOptions& recognizer,
                                                       const AdaptationOptions& adaptation) {
@@ -181,6 +181,7 @@ void PlaceMemory::forgetWhereabouts() { impl_->forgetWhereabouts(); }
 KeptMap PlaceMemory::drivenMap() const { return impl_->drivenMap(); }
 
 void PlaceMemory::keep(const KeptMap& map) { impl_->keep(map); }
+void PlaceMemory::keepTravels(const KeptMap& map) { impl_->keepTravels(map); }
 
 void PlaceMemory::keepNewPlaces(const KeptMap& map) { impl_->keepNewPlaces(map); }
 

@@ -50,6 +50,7 @@ class PlaceMemory::Impl {
   std::vector<Traversal> traversals();
   KeptMap drivenMap();
   void keep(const KeptMap& map);
+  void keepTravels(const KeptMap& map);
   void keepNewPlaces(const KeptMap& map);
   void followDrive(const std::optional<DriveWhereabouts>& whereabouts);
 

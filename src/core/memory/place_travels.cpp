@@ -33,6 +33,7 @@ std::vector<Visit> visitsOf(const KeptMap& drive) {
 /// The newest visit up to a node, and the way since then.
 struct Departure {
   Visit visit;
+  std::chrono::nanoseconds stamp{0};
   Pose2d motion;
 };
 
@@ -53,10 +54,10 @@ std::vector<PlaceTravel> travelsOf(const KeptMap& drive) {
       departures[at] = from;
       continue;
     }
-    departures[at] = Departure{here, Pose2d{}};
+    departures[at] = Departure{here, node.stamp, Pose2d{}};
     if (!from || from->visit.place == here.place) continue;
     travels.push_back({from->visit.place, here.place, from->visit.place_from_base,
-                       here.place_from_base, from->motion, node.stamp});
+                       here.place_from_base, from->motion, from->stamp, node.stamp});
   }
   return travels;
 }

@@ -17,6 +17,7 @@ struct PlaceTravel {
   Pose2d from_from_departure;
   Pose2d to_from_arrival;
   Pose2d motion;  ///< from departure to arrival, as odometry measured it
+  std::chrono::nanoseconds departed{0};
   std::chrono::nanoseconds arrived{0};
 };
 

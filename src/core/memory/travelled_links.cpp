@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
+#include "core/map/link_odds.h"
 #include "core/memory/link_pose.h"
 
 namespace place_memory::core {
 namespace {
 
-void count(const PlaceTravel& travel, LinkDirection& direction) {
-  if (travel.arrived <= direction.last) return;
-  ++direction.succeeded;
-  direction.last = travel.arrived;
-}
+constexpr char kDriving[] = "driving";  // the source of traversals
 
 /// `there` and `here`: where the robot's odometry had the two places.
 PlaceLink makeLink(const Stand& there, const Stand& here) {
@@ -26,33 +23,28 @@ PlaceLink makeLink(const Stand& there, const Stand& here) {
 
 void TravelledLinks::add(const PlaceTravel& travel, const Pose2d& from_from_robot,
                          const Pose2d& to_from_robot) {
-  if (const PlaceLink* known = map_.findLink(travel.from, travel.to)) {
-    const bool forward = travel.from < travel.to;
-    const auto direction = travelled_.emplace(Ends{travel.from, travel.to},
-                                              forward ? known->forward : known->backward);
-    count(travel, direction.first->second);
-    return;
-  }
   const Ends ends = std::minmax(travel.from, travel.to);
-  auto link = added_.find(ends);
-  if (link == added_.end()) {
-    // Odometry's frame is taken where the robot departed.
-    const Stand there{travel.from, (from_from_robot * travel.from_from_departure).inverse(), {}};
-    const Stand here{
-        travel.to, travel.motion * (to_from_robot * travel.to_from_arrival).inverse(), {}};
-    link = added_.emplace(ends, makeLink(there, here)).first;
+  auto found = links_.find(ends);
+  if (found == links_.end()) {
+    if (const PlaceLink* known = map_.findLink(travel.from, travel.to)) {
+      found = links_.emplace(ends, *known).first;
+    } else {
+      // Odometry's frame is taken where the robot departed.
+      const Stand there{travel.from, (from_from_robot * travel.from_from_departure).inverse(), {}};
+      const Stand here{
+          travel.to, travel.motion * (to_from_robot * travel.to_from_arrival).inverse(), {}};
+      found = links_.emplace(ends, makeLink(there, here)).first;
+      edits_.emplace_back(LinkAdded{found->second});
+    }
   }
-  count(travel, travel.from < travel.to ? link->second.forward : link->second.backward);
-}
-
-void TravelledLinks::appendTo(std::vector<MapEdit>& edits) const {
-  for (const auto& [ends, link] : added_) edits.emplace_back(LinkAdded{link});
-  for (const auto& [ends, direction] : travelled_) {
-    const PlaceLink& known = *map_.findLink(ends.first, ends.second);
-    const LinkDirection& before = ends.first < ends.second ? known.forward : known.backward;
-    if (direction == before) continue;
-    edits.emplace_back(LinkLearned{ends.first, ends.second, direction});
-  }
+  PlaceLink& link = found->second;
+  LinkDirection& direction = travel.from == link.first ? link.forward : link.backward;
+  if (travel.arrived <= direction.last) return;
+  const Traversal traversal{travel.from,    travel.to, travel.departed,
+                            travel.arrived, true,      kDriving};
+  direction =
+      learned(direction, traversal, expectedTime(link, direction, learning_), learning_.half_life);
+  edits_.emplace_back(LinkLearned{travel.from, travel.to, direction, traversal});
 }
 
 }  // namespace place_memory::core

@@ -83,7 +83,7 @@ Settled WhereaboutsOwner::recognized(std::uint64_t question, const Sighting& sig
   if (question < newest_answer_) return {true, kNoPlace, std::nullopt};
   newest_answer_ = question;
   ++now_.version;
-  Settled settled{false, now_.previous, std::nullopt};
+  Settled settled{false, driven_ ? kNoPlace : now_.previous, std::nullopt};
   if (located_ && !driven_) settled.join = settleFrame(sighting);
   standAt(sighting.place,
           {sighting.place.id, sighting.odom_from_scan * sighting.place_from_scan.inverse(),

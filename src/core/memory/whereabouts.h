@@ -46,7 +46,8 @@ struct Sighting {
 
 struct Settled {
   bool superseded = false;
-  PlaceId came_from = kNoPlace;     ///< the previous place until now
+  /// The previous place until now; none while a drive says where the robot is: it tells the ways.
+  PlaceId came_from = kNoPlace;
   std::optional<SessionJoin> join;  ///< what the answer says of how two sessions lie
 };
 

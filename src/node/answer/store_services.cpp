@@ -53,8 +53,13 @@ std::string inWords(const core::MergeReport& report) {
 }  // namespace
 
 StoreServices::StoreServices(const ros::NodeHandle& private_node, core::PlaceMemory& memory,
-                             AnswerPublisher& publisher, const config::Parameters& parameters)
-    : memory_(memory), publisher_(publisher), parameters_(parameters), spinner_(1, &queue_) {
+                             MapDriver& driver, AnswerPublisher& publisher,
+                             const config::Parameters& parameters)
+    : memory_(memory),
+      driver_(driver),
+      publisher_(publisher),
+      parameters_(parameters),
+      spinner_(1, &queue_) {
   ros::NodeHandle node(private_node);
   node.setCallbackQueue(&queue_);
   servers_.push_back(advertiseGuarded(node, kSaveService, this, &StoreServices::save));
@@ -79,7 +84,7 @@ void StoreServices::save(const Save::Request& request, Save::Response& response)
 void StoreServices::load(const Load::Request& request, Load::Response& response) {
   const auto path = takePath(parameters_, request.path, response);
   if (!path) return;
-  response.places = static_cast<std::uint32_t>(memory_.load(*path));
+  driver_.change([&] { response.places = static_cast<std::uint32_t>(memory_.load(*path)); });
   publisher_.overtake();
   response.message = "loaded " + placesInWords(response.places) + " of " + *path +
                      "; where the robot is among them is not known yet: recognise a place";
@@ -89,7 +94,8 @@ void StoreServices::load(const Load::Request& request, Load::Response& response)
 void StoreServices::merge(const Merge::Request& request, Merge::Response& response) {
   const auto path = takePath(parameters_, request.path, response);
   if (!path) return;
-  const core::MergeReport report = memory_.merge(*path);
+  core::MergeReport report;
+  driver_.change([&] { report = memory_.merge(*path); });
   response.added = static_cast<std::uint32_t>(report.added);
   response.known = static_cast<std::uint32_t>(report.known);
   response.joined = static_cast<std::uint32_t>(report.joined);
@@ -127,8 +133,12 @@ void StoreServices::exportMap(const Export::Request& request, Export::Response& 
 
 void StoreServices::undo(const Undo::Request& request, Undo::Response& response) {
   const std::size_t count = std::max(request.count, 1U);
-  const std::vector<core::PastChange> changes =
-      request.look != 0 ? memory_.history(count) : memory_.undo(count);
+  std::vector<core::PastChange> changes;
+  if (request.look != 0) {
+    changes = memory_.history(count);
+  } else {
+    driver_.change([&] { changes = memory_.undo(count); });
+  }
   for (const core::PastChange& change : changes) {
     response.changes.push_back(change.words + (change.can_be_undone ? "" : " (cannot be undone)"));
     response.stamps.push_back(toRosTime(change.stamp));

@@ -15,6 +15,7 @@
 #include "config/parameters.h"
 #include "node/answer/answer_publisher.h"
 #include "node/base/guarded_queue.h"
+#include "node/drive/map_driver.h"
 #include "place_memory/core/place_memory.h"
 
 namespace place_memory::node {
@@ -26,7 +27,7 @@ namespace place_memory::node {
 class StoreServices {
  public:
   /// What is given must outlive the services.
-  StoreServices(const ros::NodeHandle& private_node, core::PlaceMemory& memory,
+  StoreServices(const ros::NodeHandle& private_node, core::PlaceMemory& memory, MapDriver& driver,
                 AnswerPublisher& publisher, const config::Parameters& parameters);
   /// Waits for the thread.
   ~StoreServices();
@@ -41,6 +42,7 @@ class StoreServices {
   void undo(const Undo::Request& request, Undo::Response& response);
 
   core::PlaceMemory& memory_;
+  MapDriver& driver_;
   AnswerPublisher& publisher_;
   const config::Parameters& parameters_;
 

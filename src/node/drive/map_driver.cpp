@@ -138,7 +138,6 @@ void MapDriver::onStep(const OdometryMoment& now, bool jumped) {
   for (const core::MapperEvent& event : of_map) {
     if (event.kind == core::MapperEvent::Kind::kJoined) tryKeeping([this] { keep(); });
   }
-  if (jumped) passages_.lost();
   follow(decisions);
   if (jumped) {
     say(MapEvent::SESSION, "odometry started anew: where on the map the robot is is sought");
@@ -165,7 +164,6 @@ void MapDriver::onStep(const OdometryMoment& now, bool jumped) {
 
 void MapDriver::follow(const std::vector<core::ScanDecision>& decisions) {
   if (!decisions.empty()) current_ = decisions.back().place;
-  for (const core::ScanDecision& decision : decisions) watch(decision);
   const core::Mapper& mapper = run_->mapper;
   core::DriveWhereabouts whereabouts;
   whereabouts.map_from_odom = mapper.sessionFromOdom();
@@ -226,7 +224,6 @@ void MapDriver::begin(core::MapperMode mode) {
   }
   run_ = std::move(run);
   current_ = core::kNoPlace;
-  passages_.lost();
   changed_ = false;
   kept_ = steadyNow();
   standing_.clear();

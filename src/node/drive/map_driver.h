@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "config/parameters.h"
-#include "core/drive/passage_watch.h"
 #include "core/mapping/mapper.h"
 #include "node/drive/drive_events.h"
 #include "node/drive/drive_input.h"
@@ -89,6 +88,10 @@ class MapDriver {
   void rename(const std::string& label, const std::string& new_label);
   void remove(const std::string& label);
   std::size_t clear();
+  /// `work` changes the memory's map otherwise, as where another one is loaded: what the drive has
+  /// made is kept before, and the drive goes on with what the map is then. What `work` throws
+  /// passes through.
+  void change(const std::function<void()>& work);
 
  private:
   struct Run;
@@ -98,12 +101,13 @@ class MapDriver {
   void addStanding(const core::Scan& scan);
   void onStep(const OdometryMoment& now, bool jumped);
   void follow(const std::vector<core::ScanDecision>& decisions);
-  /// Links learn from the places that the robot comes by.
-  void watch(const core::ScanDecision& decision);
   void begin(core::MapperMode mode);
+  /// In the same mode, or off where there is nothing left to localize by.
+  void beginAnew();
   void end();
   void setModeTo(config::Mode mode);
-  /// In mode map. Throws PlaceMemoryError.
+  /// What the drive has made of the map, or in mode localize what its links learn. Throws
+  /// PlaceMemoryError in mode map.
   void keep();
   /// What it throws becomes an event.
   void tryKeeping(const std::function<void()>& keeping);
@@ -122,7 +126,6 @@ class MapDriver {
   /// Odometry's frame in the map, as it was known before the drive began.
   std::optional<core::Pose2d> known_before_;
   core::PlaceId current_ = core::kNoPlace;
-  core::PassageWatch passages_{"driving"};
   bool changed_ = false;              // since the map was kept
   std::chrono::nanoseconds kept_{0};  // steady
   std::string keep_problem_;  // why it could not be kept when it was tried last; empty: it could

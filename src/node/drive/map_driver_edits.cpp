@@ -17,8 +17,16 @@ constexpr std::chrono::nanoseconds kBetweenKeeps = std::chrono::seconds(10);
 }  // namespace
 
 void MapDriver::keep() {
-  if (mode() != config::Mode::kMap) return;
-  memory_.keep(run_->mapper.map());
+  if (mode() == config::Mode::kMap) {
+    memory_.keep(run_->mapper.map());
+  } else {
+    try {
+      memory_.keepTravels(run_->mapper.map());
+    } catch (const core::PlaceMemoryError&) {
+      // The map that is localized in may be read-only; that a store fails is said by whoever
+      // watches it.
+    }
+  }
   kept_ = steadyNow();
   changed_ = false;
 }
@@ -35,22 +43,6 @@ void MapDriver::tryKeeping(const std::function<void()>& keeping) {
     say(MapEvent::TROUBLE, "the map cannot be kept: " + problem);
   }
   keep_problem_ = problem;
-}
-
-void MapDriver::watch(const core::ScanDecision& decision) {
-  using Kind = core::ScanDecision::Kind;
-  if (decision.kind == Kind::kLost) passages_.lost();
-  const bool is_there = decision.kind == Kind::kNewPlace || decision.kind == Kind::kTracked ||
-                        decision.kind == Kind::kClosed;
-  if (!is_there) return;
-  const auto came = passages_.at(decision.place, decision.stamp);
-  if (!came) return;
-  try {
-    memory_.reportTraversal(*came);
-  } catch (const core::PlaceMemoryError&) {
-    // Not linked, or not kept yet: there is nothing that could learn. That the store fails is said
-    // by whoever watches it.
-  }
 }
 
 void MapDriver::keepIfDue() {
@@ -77,14 +69,16 @@ core::PlaceMemory::Learned MapDriver::learn(const core::Scan& scan, const std::s
 void MapDriver::rename(const std::string& label, const std::string& new_label) {
   const std::lock_guard<std::mutex> lock(mutex_);
   memory_.rename(label, new_label);
-  if (const auto id = idOf(new_label); run_ && id) run_->mapper.setNamed(*id);
+  if (!run_) return;
+  if (const auto id = idOf(new_label)) run_->mapper.setNamed(*id);
 }
 
 void MapDriver::remove(const std::string& label) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (!run_) return memory_.remove(label);
   const auto id = idOf(label);
   memory_.remove(label);
-  if (!run_ || !id) return;
+  if (!id) return;
   run_->mapper.forget(*id);
   if (current_ == *id) current_ = core::kNoPlace;
   changed_ = true;
@@ -93,14 +87,30 @@ void MapDriver::remove(const std::string& label) {
 std::size_t MapDriver::clear() {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::size_t count = memory_.clear();
-  if (!run_) return count;
-  if (mode() == config::Mode::kMap) {
-    begin(core::MapperMode::kMap);
-  } else {
-    end();  // without a place there is nothing to localize by
-    setModeTo(config::Mode::kOff);
-  }
+  if (run_) beginAnew();
   return count;
+}
+
+void MapDriver::change(const std::function<void()>& work) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (run_) tryKeeping([this] { keep(); });
+  work();
+  if (run_) beginAnew();
+}
+
+void MapDriver::beginAnew() {
+  const bool makes_map = mode() == config::Mode::kMap;
+  std::string problem;
+  try {
+    begin(makes_map ? core::MapperMode::kMap : core::MapperMode::kLocalize);
+    if (makes_map || !run_->mapper.places().empty()) return;
+    problem = "the map has no place left to localize by";
+  } catch (const std::exception& error) {
+    problem = std::string("the map cannot be taken up: ") + error.what();
+  }
+  say(MapEvent::TROUBLE, problem + "; the mode is off");
+  end();
+  setModeTo(config::Mode::kOff);
 }
 
 std::optional<core::PlaceId> MapDriver::idOf(const std::string& label) const {

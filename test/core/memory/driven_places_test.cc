@@ -93,6 +93,45 @@ TEST_F(DrivenPlacesTest, ANewPlaceIsLinkedToTheOneThatTheRobotCameFrom) {
   EXPECT_NEAR(robot.yaw, kPi / 2.0, 1e-9);
   EXPECT_EQ(link->forward.succeeded, 1U);
   EXPECT_EQ(link->backward.succeeded, 0U);
+  EXPECT_EQ(link->forward.through, 1.0);
+  EXPECT_NEAR(link->forward.time, 1e-9, 1e-15);  // from the stamp of one to that of the other
+}
+
+TEST_F(DrivenPlacesTest, LinksKeepTheHistoryOfADrive) {
+  keepTwo();
+  const std::vector<Traversal> history = PlaceMemory(options()).traversals();
+  ASSERT_EQ(history.size(), 1U);
+  EXPECT_EQ(history[0], (Traversal{1, 2, std::chrono::nanoseconds(1001),
+                                   std::chrono::nanoseconds(1002), true, "driving"}));
+}
+
+TEST_F(DrivenPlacesTest, OnAMapThatStaysLinksLearnAndNothingElseChanges) {
+  keepTwo();
+  PlaceMemory memory(options());
+  KeptMap map = memory.drivenMap();
+  ScanNode visit = makeNode(kNoPlace, {1.0, 2.0, 0.5});
+  visit.stamp = std::chrono::nanoseconds(2000);
+  visit.before = 2;
+  map.nodes.push_back(visit);
+  map.nodes.push_back(makeNode(3, {9.0, 2.0, 0.0}));
+  map.nodes.back().before = 3;
+  map.nodes[2].pose.x += 0.5;
+  Tie tie;
+  tie.information.setIdentity();
+  tie.place = 0;
+  tie.node = 3;
+  map.ties.push_back(tie);
+  const MapSnapshot before = memory.map();
+  memory.keepTravels(map);
+  const MapSnapshot after = memory.map();
+  ASSERT_EQ(after.places.size(), 2U);
+  EXPECT_EQ(after.places[1].map_from_place, before.places[1].map_from_place);
+  ASSERT_EQ(after.links.size(), 1U);
+  EXPECT_EQ(after.links[0].backward.succeeded, 1U);
+  EXPECT_EQ(after.links[0].forward, before.links[0].forward);
+  // Each counts once.
+  memory.keepTravels(map);
+  EXPECT_EQ(memory.version(), after.version);
 }
 
 TEST_F(DrivenPlacesTest, KnownPlacesAreLinkedOnceTheRobotGoesFromOneToTheOther) {
@@ -327,6 +366,9 @@ TEST_F(DrivenPlacesTest, WhileADriveSaysWhereTheRobotIsAPlaceIsLearnedThereAndLi
   // Place 2 lies at (3, 2), and the new one at (11, 1).
   EXPECT_NEAR(map.links[1].first_from_second.x, 8.0, 1e-9);
   EXPECT_NEAR(map.links[1].first_from_second.y, -1.0, 1e-9);
+  // How it got there is for the drive to tell.
+  EXPECT_EQ(map.links[1].forward, LinkDirection{});
+  EXPECT_EQ(memory.traversals().size(), 1U);
 }
 
 }  // namespace
