@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <boost/program_options.hpp>
-#include <exception>
 #include <fstream>
-#include <iostream>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -14,6 +12,7 @@
 #include "sim/building/building_generator.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/world_loader.h"
+#include "trials/lab_program.h"
 
 namespace po = boost::program_options;
 using namespace place_memory;
@@ -79,23 +78,11 @@ int run(const po::variables_map& given) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    po::options_description options("usage: place_memory_draw_world --out F.png");
-    options.add_options()("help", "show this")("out", po::value<std::string>()->required(),
-                                               "file to write")(
-        "world", po::value<std::string>(), "world file; without it, a generated building")(
-        "kind", po::value<int>()->default_value(0), "of that building, by its number")(
-        "seed", po::value<std::uint64_t>()->default_value(1), "of that building");
-    po::variables_map given;
-    po::store(po::parse_command_line(argc, argv, options), given);
-    if (given.count("help")) {
-      std::cout << options;
-      return 0;
-    }
-    po::notify(given);
-    return run(given);
-  } catch (const std::exception& error) {
-    std::cerr << "place_memory_draw_world: " << error.what() << '\n';
-    return 1;
-  }
+  po::options_description options("usage: place_memory_draw_world --out F.png");
+  options.add_options()("help", "show this")("out", po::value<std::string>()->required(),
+                                             "file to write")(
+      "world", po::value<std::string>(), "world file; without it, a generated building")(
+      "kind", po::value<int>()->default_value(0), "of that building, by its number")(
+      "seed", po::value<std::uint64_t>()->default_value(1), "of that building");
+  return place_memory::trials::runProgram("place_memory_draw_world", argc, argv, options, run);
 }

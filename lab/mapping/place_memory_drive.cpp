@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <fstream>
-#include <iostream>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,6 +15,7 @@
 #include "core/mapping/final_way.h"
 #include "core/mapping/mapper.h"
 #include "trials/drive_file.h"
+#include "trials/lab_program.h"
 
 namespace po = boost::program_options;
 using namespace place_memory;
@@ -133,24 +132,11 @@ int run(const po::variables_map& given) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    po::options_description options("usage: place_memory_drive --drive F.jsonl.gz... --out PREFIX");
-    options.add_options()("help", "show this")(
-        "drive", po::value<std::vector<std::string>>()->required()->multitoken(),
-        "drives, one session each")("out", po::value<std::string>()->required(),
-                                    "prefix of the tables _T, _S, _M, _R, _truth.csv")(
-        "no-compass", "without the compass")("localize",
-                                             "drives from the second on change nothing");
-    po::variables_map given;
-    po::store(po::parse_command_line(argc, argv, options), given);
-    if (given.count("help")) {
-      std::cout << options;
-      return 0;
-    }
-    po::notify(given);
-    return run(given);
-  } catch (const std::exception& error) {
-    std::cerr << "place_memory_drive: " << error.what() << '\n';
-    return 1;
-  }
+  po::options_description options("usage: place_memory_drive --drive F.jsonl.gz... --out PREFIX");
+  options.add_options()("help", "show this")(
+      "drive", po::value<std::vector<std::string>>()->required()->multitoken(),
+      "drives, one session each")("out", po::value<std::string>()->required(),
+                                  "prefix of the tables _T, _S, _M, _R, _truth.csv")(
+      "no-compass", "without the compass")("localize", "drives from the second on change nothing");
+  return place_memory::trials::runProgram("place_memory_drive", argc, argv, options, run);
 }

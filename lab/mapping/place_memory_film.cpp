@@ -5,7 +5,6 @@
 #include <boost/program_options.hpp>
 #include <cmath>
 #include <deque>
-#include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -18,6 +17,7 @@
 #include "core/mapping/mapper.h"
 #include "picture/kept_map_picture.h"
 #include "trials/drive_file.h"
+#include "trials/lab_program.h"
 
 namespace po = boost::program_options;
 using namespace place_memory;
@@ -163,23 +163,11 @@ int run(const po::variables_map& given) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    po::options_description options("usage: place_memory_film --drive F.jsonl.gz --out PREFIX");
-    options.add_options()("help", "show this")("drive", po::value<std::string>()->required(),
-                                               "drive to replay")(
-        "out", po::value<std::string>()->required(),
-        "prefix of the pictures: .png at the end, _film_1.png to _film_3.png around a closure")(
-        "no-compass", "without the compass");
-    po::variables_map given;
-    po::store(po::parse_command_line(argc, argv, options), given);
-    if (given.count("help")) {
-      std::cout << options;
-      return 0;
-    }
-    po::notify(given);
-    return run(given);
-  } catch (const std::exception& error) {
-    std::cerr << "place_memory_film: " << error.what() << '\n';
-    return 1;
-  }
+  po::options_description options("usage: place_memory_film --drive F.jsonl.gz --out PREFIX");
+  options.add_options()("help", "show this")("drive", po::value<std::string>()->required(),
+                                             "drive to replay")(
+      "out", po::value<std::string>()->required(),
+      "prefix of the pictures: .png at the end, _film_1.png to _film_3.png around a closure")(
+      "no-compass", "without the compass");
+  return place_memory::trials::runProgram("place_memory_film", argc, argv, options, run);
 }

@@ -1,13 +1,13 @@
 // Drives simulated robots about simulated buildings while they map, and prints tables of what came
 // of it.
 #include <boost/program_options.hpp>
-#include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "mapping/suites.h"
+#include "trials/lab_program.h"
 
 namespace po = boost::program_options;
 using namespace place_memory;
@@ -48,37 +48,27 @@ int run(const po::variables_map& given, mapping::SuiteOptions options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    mapping::SuiteOptions suite;
-    po::options_description options("usage: place_memory_mapping SUITE [options]");
-    options.add_options()("help", "show this")(
-        "suite", po::value<std::string>()->required(),
-        "drives, sonars, kidnaps, starts, sessions, links or soak")(
-        "world", po::value<std::vector<std::string>>()->multitoken(),
-        "those to drive about in: corridor, open_plan, laboratory, home, cells, half_turn, or a "
-        "world file's name")("worlds", po::value(&suite.worlds)->default_value("config/worlds"),
-                             "folder of world files")(
-        "first-seed", po::value(&suite.first_seed)->default_value(suite.first_seed),
-        "of buildings and drives")("seeds", po::value(&suite.seeds)->default_value(suite.seeds),
-                                   "drives in each world")(
-        "way", po::value(&suite.way)->default_value(suite.way), "of a drive [m]")(
-        "scale-sigma", po::value(&suite.noise.scale_sigma)->default_value(suite.noise.scale_sigma),
-        "of odometry's distances")(
-        "yaw-noise", po::value(&suite.noise.yaw_noise)->default_value(suite.noise.yaw_noise),
-        "of odometry [rad by the root of the way in m]")("no-compass", "robots have none")(
-        "csv", "print comma separated values");
-    po::positional_options_description places;
-    places.add("suite", 1);
-    po::variables_map given;
-    po::store(po::command_line_parser(argc, argv).options(options).positional(places).run(), given);
-    if (given.count("help")) {
-      std::cout << options;
-      return 0;
-    }
-    po::notify(given);
-    return run(given, suite);
-  } catch (const std::exception& error) {
-    std::cerr << "place_memory_mapping: " << error.what() << '\n';
-    return 1;
-  }
+  mapping::SuiteOptions suite;
+  po::options_description options("usage: place_memory_mapping SUITE [options]");
+  options.add_options()("help", "show this")(
+      "suite", po::value<std::string>()->required(),
+      "drives, sonars, kidnaps, starts, sessions, links or soak")(
+      "world", po::value<std::vector<std::string>>()->multitoken(),
+      "those to drive about in: corridor, open_plan, laboratory, home, cells, half_turn, or a "
+      "world file's name")("worlds", po::value(&suite.worlds)->default_value("config/worlds"),
+                           "folder of world files")(
+      "first-seed", po::value(&suite.first_seed)->default_value(suite.first_seed),
+      "of buildings and drives")("seeds", po::value(&suite.seeds)->default_value(suite.seeds),
+                                 "drives in each world")(
+      "way", po::value(&suite.way)->default_value(suite.way), "of a drive [m]")(
+      "scale-sigma", po::value(&suite.noise.scale_sigma)->default_value(suite.noise.scale_sigma),
+      "of odometry's distances")(
+      "yaw-noise", po::value(&suite.noise.yaw_noise)->default_value(suite.noise.yaw_noise),
+      "of odometry [rad by the root of the way in m]")("no-compass", "robots have none")(
+      "csv", "print comma separated values");
+  po::positional_options_description places;
+  places.add("suite", 1);
+  return place_memory::trials::runProgram(
+      "place_memory_mapping", argc, argv, options,
+      [&](const po::variables_map& given) { return run(given, suite); }, places);
 }

@@ -1,12 +1,11 @@
 // Simulates a drive through a world or a generated building and writes it as a drive file.
 
 #include <boost/program_options.hpp>
-#include <exception>
-#include <iostream>
 #include <string>
 #include <vector>
 
 #include "mapping/mapping_worlds.h"
+#include "trials/lab_program.h"
 #include "trials/simulated_drive.h"
 
 namespace po = boost::program_options;
@@ -44,36 +43,24 @@ int run(const po::variables_map& given) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    po::options_description options("usage: place_memory_simulate_drive --out F.jsonl.gz");
-    options.add_options()("help", "show this")("out", po::value<std::string>()->required(),
-                                               "file to write")(
-        "world", po::value<std::string>()->default_value("office"),
-        "to drive about in: corridor, open_plan, laboratory, home, cells, half_turn, or a world "
-        "file's name")("worlds", po::value<std::string>()->default_value("config/worlds"),
-                       "folder of world files")(
-        "seed", po::value<std::uint64_t>()->default_value(1), "of all that is random")(
-        "way", po::value<double>()->default_value(200.0), "[m]")(
-        "speed", po::value<double>()->default_value(0.35), "[m/s]")(
-        "people", po::value<int>()->default_value(2), "who walk about")(
-        "start", po::value<std::size_t>()->default_value(0), "number of the place to start at")(
-        "sonars", po::value<int>()->default_value(16), "of the ring of 16: 16, 8, 4")(
-        "scale-sigma", po::value<double>()->default_value(0.02), "of odometry's distances")(
-        "yaw-noise", po::value<double>()->default_value(0.0262),
-        "of odometry [rad by the root of the way in m]")(
-        "carried", po::value<std::vector<double>>()->multitoken(),
-        "ways at which it is carried elsewhere, rising [m]")(
-        "ahead", "the forward nine of them alone")("unchanged", "nothing changes half way");
-    po::variables_map given;
-    po::store(po::parse_command_line(argc, argv, options), given);
-    if (given.count("help")) {
-      std::cout << options;
-      return 0;
-    }
-    po::notify(given);
-    return run(given);
-  } catch (const std::exception& error) {
-    std::cerr << "place_memory_simulate_drive: " << error.what() << '\n';
-    return 1;
-  }
+  po::options_description options("usage: place_memory_simulate_drive --out F.jsonl.gz");
+  options.add_options()("help", "show this")("out", po::value<std::string>()->required(),
+                                             "file to write")(
+      "world", po::value<std::string>()->default_value("office"),
+      "to drive about in: corridor, open_plan, laboratory, home, cells, half_turn, or a world "
+      "file's name")("worlds", po::value<std::string>()->default_value("config/worlds"),
+                     "folder of world files")("seed", po::value<std::uint64_t>()->default_value(1),
+                                              "of all that is random")(
+      "way", po::value<double>()->default_value(200.0), "[m]")(
+      "speed", po::value<double>()->default_value(0.35), "[m/s]")(
+      "people", po::value<int>()->default_value(2), "who walk about")(
+      "start", po::value<std::size_t>()->default_value(0), "number of the place to start at")(
+      "sonars", po::value<int>()->default_value(16), "of the ring of 16: 16, 8, 4")(
+      "scale-sigma", po::value<double>()->default_value(0.02), "of odometry's distances")(
+      "yaw-noise", po::value<double>()->default_value(0.0262),
+      "of odometry [rad by the root of the way in m]")(
+      "carried", po::value<std::vector<double>>()->multitoken(),
+      "ways at which it is carried elsewhere, rising [m]")(
+      "ahead", "the forward nine of them alone")("unchanged", "nothing changes half way");
+  return place_memory::trials::runProgram("place_memory_simulate_drive", argc, argv, options, run);
 }

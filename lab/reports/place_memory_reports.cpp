@@ -1,7 +1,6 @@
 // Measures the reports of twins and of changes in simulated worlds.
 
 #include <boost/program_options.hpp>
-#include <exception>
 #include <iostream>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include "reports/twin_trial.h"
 #include "sim/building/building_generator.h"
 #include "sim/scene/world_loader.h"
+#include "trials/lab_program.h"
 
 namespace po = boost::program_options;
 using namespace place_memory;
@@ -96,38 +96,26 @@ int run(const po::variables_map& given) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const core::TwinOptions twins;
-    const core::GridChangeOptions changes;
-    po::options_description options("usage: place_memory_reports twins|changes [--world F.yaml]");
-    auto add = options.add_options();
-    add("help", "show this");
-    add("what", po::value<std::string>()->required(), "twins or changes");
-    add("world", po::value<std::string>(), "world file; twins without it: generated buildings");
-    add("params", po::value<std::vector<std::string>>()->default_value({}, "")->composing(),
-        "parameters");
-    add("first", po::value<std::uint64_t>()->default_value(9100), "seed");
-    add("seeds", po::value<std::uint64_t>()->default_value(20), "how many");
-    add("sonars", po::value<int>()->default_value(16), "of the robot");
-    add("buildings", po::value<std::uint64_t>()->default_value(10), "that are one map of twins");
-    add("any-heading", "without a compass, of twins");
-    add("most", po::value<std::size_t>()->default_value(twins.most), "twins of one place");
-    add("likeness", po::value<double>()->default_value(twins.least_likeness), "of twins, least");
-    add("sure", po::value<int>()->default_value(changes.sure), "evidence of a change");
-    add("cells", po::value<std::size_t>()->default_value(changes.least_cells), "of a change");
-    po::positional_options_description positions;
-    positions.add("what", 1);
-    po::variables_map given;
-    po::store(po::command_line_parser(argc, argv).options(options).positional(positions).run(),
-              given);
-    if (given.count("help") > 0) {
-      std::cout << options;
-      return 0;
-    }
-    po::notify(given);
-    return run(given);
-  } catch (const std::exception& error) {
-    std::cerr << "place_memory_reports: " << error.what() << '\n';
-    return 1;
-  }
+  const core::TwinOptions twins;
+  const core::GridChangeOptions changes;
+  po::options_description options("usage: place_memory_reports twins|changes [--world F.yaml]");
+  auto add = options.add_options();
+  add("help", "show this");
+  add("what", po::value<std::string>()->required(), "twins or changes");
+  add("world", po::value<std::string>(), "world file; twins without it: generated buildings");
+  add("params", po::value<std::vector<std::string>>()->default_value({}, "")->composing(),
+      "parameters");
+  add("first", po::value<std::uint64_t>()->default_value(9100), "seed");
+  add("seeds", po::value<std::uint64_t>()->default_value(20), "how many");
+  add("sonars", po::value<int>()->default_value(16), "of the robot");
+  add("buildings", po::value<std::uint64_t>()->default_value(10), "that are one map of twins");
+  add("any-heading", "without a compass, of twins");
+  add("most", po::value<std::size_t>()->default_value(twins.most), "twins of one place");
+  add("likeness", po::value<double>()->default_value(twins.least_likeness), "of twins, least");
+  add("sure", po::value<int>()->default_value(changes.sure), "evidence of a change");
+  add("cells", po::value<std::size_t>()->default_value(changes.least_cells), "of a change");
+  po::positional_options_description positions;
+  positions.add("what", 1);
+  return place_memory::trials::runProgram("place_memory_reports", argc, argv, options, run,
+                                          positions);
 }

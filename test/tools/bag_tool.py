@@ -2,53 +2,37 @@
 
 import csv
 import os
-import subprocess
 import sys
-import tempfile
-import unittest
 
 import rosbag
 import rospy
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "rostest"))
 from room_bag import RoomBag  # noqa: E402
+from tool_test import ToolTest  # noqa: E402
 
-TOOL = sys.argv.pop(1)
 START = 1000.0
 HEADER = "start,end,action,label,heading_window\n"
 ALL, NOTHING, SOME = 0, 1, 3
 
 
-class BagToolTest(unittest.TestCase):
+class BagToolTest(ToolTest):
     """Its tests are those of the classes made from it."""
 
     @classmethod
     def setUpClass(cls):
-        cls.shared = tempfile.TemporaryDirectory()
+        super().setUpClass()
         cls.bag = os.path.join(cls.shared.name, "rooms.bag")
         cls.rooms = RoomBag(cls.bag, START, seed=3)
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.shared.cleanup()
-
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        super().setUp()
         self.out = self.path("results.csv")
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
 
     def write(self, name, content):
         with open(self.path(name), "wb") as file:
             file.write(content if isinstance(content, bytes) else content.encode())
         return self.path(name)
-
-    def run_tool(self, *arguments, **options):
-        return subprocess.run((TOOL,) + arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              universal_newlines=True, timeout=120, **options)
 
     def run_events(self, events, *more, bag=None, **options):
         table = self.write("events.csv", events)

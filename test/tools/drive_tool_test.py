@@ -4,22 +4,18 @@
 usage: drive_tool_test.py PLACE_MEMORY_BAG [UNITTEST OPTION]...
 """
 
-import collections
 import csv
 import math
 import os
-import struct
-import subprocess
 import sys
-import tempfile
 import unittest
-import zlib
 
 import rosbag
 
-TOOL = sys.argv.pop(1)
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "rostest"))
 from corridor_bag import CorridorBag  # noqa: E402
+from png_picture import Picture  # noqa: E402
+from tool_test import ToolTest  # noqa: E402
 
 START = 1000.0
 TABLES = ("trajectory", "final", "map", "answers")
@@ -43,50 +39,18 @@ def read(path):
         return file.read()
 
 
-class Picture:
-    """Of a PNG file as the tool writes it: RGB, unfiltered."""
-
-    def __init__(self, path):
-        data = read(path)
-        self.width, self.height = struct.unpack(">II", data[16:24])
-        start = data.index(b"IDAT")
-        length, = struct.unpack(">I", data[start - 4:start])
-        self.bytes = zlib.decompress(data[start + 4:start + 4 + length])
-
-    def shares(self):
-        """Of the pixels, by colour."""
-        size = 3 * self.width + 1
-        pixels = [self.bytes[row * size + 1 + i:row * size + 4 + i]
-                  for row in range(self.height) for i in range(0, 3 * self.width, 3)]
-        counts = collections.Counter(pixels)
-        return collections.Counter({colour: n / len(pixels) for colour, n in counts.items()})
-
-
-class DriveToolTest(unittest.TestCase):
+class DriveToolTest(ToolTest):
     @classmethod
     def setUpClass(cls):
-        cls.shared = tempfile.TemporaryDirectory()
+        super().setUpClass()
         cls.bag = os.path.join(cls.shared.name, "drive.bag")
         cls.drive = CorridorBag(cls.bag, START, rounds=3, seed=1)
         cls.later_bag = os.path.join(cls.shared.name, "later.bag")
         cls.later = CorridorBag(cls.later_bag, 5000.0, rounds=1, seed=7)
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.shared.cleanup()
-
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        super().setUp()
         self.store = self.path("places.db")
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
-    def run_tool(self, *arguments):
-        return subprocess.run((TOOL,) + arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              universal_newlines=True, timeout=120)
 
     def drive_through(self, bag, mode, *more, name="one", compass=True):
         """Returns the paths of the tables."""

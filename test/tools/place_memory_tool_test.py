@@ -4,43 +4,33 @@
 import csv
 import json
 import os
-import struct
 import sqlite3
 import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree
-import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "rostest"))
+from png_picture import Picture  # noqa: E402
 from room_bag import RoomBag  # noqa: E402
+from tool_test import ToolTest  # noqa: E402
 
-TOOL, BAG_TOOL = sys.argv.pop(1), sys.argv.pop(1)
+BAG_TOOL = sys.argv.pop(1)
 START = 1000.0
 DONE, FAILED, NO, NO_ANSWER = range(4)
 
 
-class MapToolTest(unittest.TestCase):
+class MapToolTest(ToolTest):
     @classmethod
     def setUpClass(cls):
-        cls.shared = tempfile.TemporaryDirectory()
+        super().setUpClass()
         cls.bag = os.path.join(cls.shared.name, "rooms.bag")
         cls.rooms = RoomBag(cls.bag, START, seed=3)
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.shared.cleanup()
-
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        super().setUp()
         self.store = self.path("places.db")
         self.learn(self.store, "hall", "study")
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
 
     def learn(self, store, *labels):
         """The rooms of the bag."""
@@ -54,8 +44,7 @@ class MapToolTest(unittest.TestCase):
                        stderr=subprocess.DEVNULL)
 
     def run_tool(self, *arguments, status=DONE):
-        done = subprocess.run((TOOL,) + arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              universal_newlines=True, timeout=120)
+        done = super().run_tool(*arguments)
         self.assertEqual(done.returncode, status, done.stdout + done.stderr)
         return done
 
@@ -79,15 +68,9 @@ class MapToolTest(unittest.TestCase):
         shown = self.say("show", "hall", "--png", picture).stdout
         self.assertIn("linked to", shown)
         self.assertIn("study", shown)
-        with open(picture, "rb") as file:
-            content = file.read()
-        self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
-        self.assertEqual(struct.unpack(">II", content[16:24]), (512, 512))
-        begin = content.index(b"IDAT")
-        size = struct.unpack(">I", content[begin - 4:begin])[0]
-        pixels = zlib.decompress(content[begin + 4:begin + 4 + size])
-        self.assertEqual(len(pixels), 512 * (1 + 3 * 512))
-        self.assertGreater(len(set(pixels)), 3)
+        drawn = Picture(picture)
+        self.assertEqual((drawn.width, drawn.height), (512, 512))
+        self.assertGreater(len(set(drawn.bytes)), 3)
         self.say("show", "attic", status=NO)
 
     def test_scans_of_another_store_are_recognized_and_learned(self):
