@@ -9,10 +9,11 @@
 #include <utility>
 
 #include "node/answer/answer_words.h"
-#include "node/answer/guarded_answer.h"
+#include "node/answer/guarded_service.h"
 #include "node/answer/route_messages.h"
 #include "node/base/node_names.h"
 #include "node/base/ros_time.h"
+#include "support/text.h"
 
 namespace place_memory::node {
 namespace {
@@ -47,9 +48,9 @@ RouteServices::RouteServices(const ros::NodeHandle& private_node, core::PlaceMem
     : memory_(memory), belief_(std::move(belief)), parameters_(parameters), spinner_(1, &queue_) {
   ros::NodeHandle node(private_node);
   node.setCallbackQueue(&queue_);
-  advertise(node, kPlanRouteService, &RouteServices::plan);
-  advertise(node, kReportTraversalService, &RouteServices::report);
-  advertise(node, kSetLinkService, &RouteServices::setLink);
+  servers_.push_back(advertiseGuarded(node, kPlanRouteService, this, &RouteServices::plan));
+  servers_.push_back(advertiseGuarded(node, kReportTraversalService, this, &RouteServices::report));
+  servers_.push_back(advertiseGuarded(node, kSetLinkService, this, &RouteServices::setLink));
   using Callback = boost::function<bool(nav_msgs::GetPlan::Request&, nav_msgs::GetPlan::Response&)>;
   const Callback make_plan = [this](nav_msgs::GetPlan::Request& request,
                                     nav_msgs::GetPlan::Response& response) {
@@ -66,22 +67,9 @@ RouteServices::RouteServices(const ros::NodeHandle& private_node, core::PlaceMem
 
 RouteServices::~RouteServices() { spinner_.stop(); }
 
-template <class Request, class Response>
-void RouteServices::advertise(ros::NodeHandle& node, const char* name,
-                              void (RouteServices::*answer)(const Request&, Response&)) {
-  using Callback = boost::function<bool(Request&, Response&)>;
-  const Callback callback = [this, answer](Request& request, Response& response) {
-    guard(response, [&] { (this->*answer)(request, response); });
-    return true;
-  };
-  servers_.push_back(node.advertiseService(name, callback));
-}
-
 std::optional<core::Pose2d> RouteServices::poseIn(const geometry_msgs::PoseStamped& pose) const {
-  const std::string& frame = pose.header.frame_id;
-  if (!frame.empty() && frame != parameters_.map_frame && frame != "/" + parameters_.map_frame) {
-    return std::nullopt;
-  }
+  const std::string frame = support::withoutLeadingSlashes(pose.header.frame_id);
+  if (!frame.empty() && frame != parameters_.map_frame) return std::nullopt;
   const core::Pose2d spot{pose.pose.position.x, pose.pose.position.y, 0.0};
   return spot.isFinite() ? std::optional<core::Pose2d>(spot) : std::nullopt;
 }

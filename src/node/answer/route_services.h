@@ -36,10 +36,6 @@ class RouteServices {
   RouteServices& operator=(const RouteServices&) = delete;
 
  private:
-  template <class Request, class Response>
-  void advertise(ros::NodeHandle& node, const char* name,
-                 void (RouteServices::*answer)(const Request&, Response&));
-
   void plan(const PlanRoute::Request& request, PlanRoute::Response& response);
   void report(const ReportTraversal::Request& request, ReportTraversal::Response& response);
   void setLink(const SetLink::Request& request, SetLink::Response& response);

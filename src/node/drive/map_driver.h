@@ -113,7 +113,6 @@ class MapDriver {
   void tryKeeping(const std::function<void()>& keeping);
   void keepIfDue();
   void say(std::uint8_t kind, const std::string& sentence) const;
-  std::optional<core::PlaceId> idOf(const std::string& label) const;
 
   const config::Parameters& parameters_;
   core::PlaceMemory& memory_;

@@ -70,17 +70,17 @@ void MapDriver::rename(const std::string& label, const std::string& new_label) {
   const std::lock_guard<std::mutex> lock(mutex_);
   memory_.rename(label, new_label);
   if (!run_) return;
-  if (const auto id = idOf(new_label)) run_->mapper.setNamed(*id);
+  if (const auto place = memory_.place(new_label)) run_->mapper.setNamed(place->id);
 }
 
 void MapDriver::remove(const std::string& label) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!run_) return memory_.remove(label);
-  const auto id = idOf(label);
+  const auto place = memory_.place(label);
   memory_.remove(label);
-  if (!id) return;
-  run_->mapper.forget(*id);
-  if (current_ == *id) current_ = core::kNoPlace;
+  if (!place) return;
+  run_->mapper.forget(place->id);
+  if (current_ == place->id) current_ = core::kNoPlace;
   changed_ = true;
 }
 
@@ -111,13 +111,6 @@ void MapDriver::beginAnew() {
   say(MapEvent::TROUBLE, problem + "; the mode is off");
   end();
   setModeTo(config::Mode::kOff);
-}
-
-std::optional<core::PlaceId> MapDriver::idOf(const std::string& label) const {
-  for (const core::Place& place : memory_.map().places) {
-    if (place.label == label) return place.id;
-  }
-  return std::nullopt;
 }
 
 }  // namespace place_memory::node
