@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace place_memory::core {
 namespace {
@@ -27,6 +28,12 @@ double said(double probability) {
 Pose2d between(const Pose2d& a, const Pose2d& b, double share) {
   return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y),
           wrapAngle(a.yaw + share * wrapAngle(b.yaw - a.yaw))};
+}
+
+std::size_t placesOf(const ClosureCandidate& candidate) {
+  std::set<PlaceId> places;
+  for (const Witness& witness : candidate.witnesses) places.insert(witness.place);
+  return places.size();
 }
 
 bool agrees(const Pose2d& a, const Pose2d& b, double way) {
@@ -76,6 +83,10 @@ void ClosureCandidates::update(std::size_t node, double way, double stretch, con
     candidate.witnesses.push_back({node, sightings[i].place, way, sightings[i].pose});
     candidates_.push_back(candidate);
   }
+  for (ClosureCandidate& candidate : candidates_) {
+    const Pose2d there = candidate.target_from_estimate * estimate;
+    candidate.moves = std::hypot(there.x - estimate.x, there.y - estimate.y);
+  }
   std::stable_sort(
       candidates_.begin(), candidates_.end(),
       [](const ClosureCandidate& a, const ClosureCandidate& b) { return a.weight() > b.weight(); });
@@ -94,11 +105,17 @@ const ClosureCandidate* ClosureCandidates::foremost() const {
   return candidates_.empty() ? nullptr : &candidates_.front();
 }
 
+/// The farther off the robot may be, the more rooms there are to mistake.
+std::size_t ClosureCandidates::placesAsked(const ClosureCandidate& candidate) const {
+  if (options_.farther <= 0.0) return options_.places;
+  return options_.places + static_cast<std::size_t>(candidate.moves / options_.farther);
+}
+
 void ClosureCandidates::dropForemost() {
   if (!candidates_.empty()) candidates_.erase(candidates_.begin());
 }
 
-const ClosureCandidate* ClosureCandidates::accepted() const {
+const ClosureCandidate* ClosureCandidates::accepted(std::size_t known) const {
   if (candidates_.empty()) return nullptr;
   const ClosureCandidate& best = candidates_.front();
   // Rooms that look alike do so in every scan: more scans of one do not make up for odometry, other
@@ -109,6 +126,7 @@ const ClosureCandidate* ClosureCandidates::accepted() const {
   const auto witnesses = static_cast<double>(best.witnesses.size());
   if (witnesses < static_cast<double>(options_.witnesses) + more || spread < wanted) return nullptr;
   if (best.weight() < options_.score) return nullptr;
+  if (placesOf(best) < std::min(placesAsked(best), known)) return nullptr;
   if (options_.misses * static_cast<std::size_t>(best.misses) > best.witnesses.size()) {
     return nullptr;
   }

@@ -19,6 +19,11 @@ struct ClosureOptions {
   double margin = 2.5;        ///< of the score over that of any other candidate
   double give_up = 4.0;       ///< way without a witness after which a candidate is dropped [m]
   std::size_t misses = 3;     ///< of so many scans one that should agree may fail to
+  /// That they agree with, of those that there are: rooms look alike, a way through several less
+  /// so.
+  std::size_t places = 3;
+  double farther = 4.0;     ///< for each so far that it moves the robot one more; 0: for none [m]
+  double agreement = 0.55;  ///< of the witnesses' scans with the places, on an average
 };
 
 /// Where one place of the target puts a scan.
@@ -43,6 +48,7 @@ struct ClosureCandidate {
   double score = 0.0;
   double prior = 0.0;  ///< of its newest witness
   int misses = 0;      ///< scans at places of the target that did not agree
+  double moves = 0.0;  ///< how far from where the robot is thought to be it has it [m]
   std::vector<Witness> witnesses;
 
   /// How much speaks for it.
@@ -63,8 +69,8 @@ class ClosureCandidates {
               const std::vector<Sighting>& sightings,
               const std::function<bool(const Pose2d&)>& at_place);
 
-  /// The candidate for which enough speaks, or nullptr.
-  const ClosureCandidate* accepted() const;
+  /// The candidate for which enough speaks, or nullptr. `known`: places of the target.
+  const ClosureCandidate* accepted(std::size_t known) const;
   /// The one for which most speaks, or nullptr.
   const ClosureCandidate* foremost() const;
   bool empty() const { return candidates_.empty(); }
@@ -77,7 +83,11 @@ class ClosureCandidates {
     stretch_ = other.stretch_;
   }
 
+  const ClosureOptions& options() const { return options_; }
+
  private:
+  std::size_t placesAsked(const ClosureCandidate& candidate) const;
+
   ClosureOptions options_;
   double stretch_ = 0.0;                      ///< length of the newest scan's [m]
   std::vector<ClosureCandidate> candidates_;  ///< by falling weight

@@ -65,9 +65,11 @@ bool LoopCloser::close(const ClosureCandidate& candidate, int session, int targe
     trial_ = trial;
     return true;
   }
-  const std::vector<Pose2d> before = graph_.poses();
+  const ScanGraph::Lie before = graph_.lie();
   const double old_chi = suffered(graph_, number);
   tieWitnesses(candidate, joins, number);
+  // Far off, doubted ties would pull no more: first it is looked where they lead to.
+  graph_.relaxAll(target, kIterations, number);
   graph_.relaxAll(target, kIterations);
   if (holds(number, old_chi)) {
     trial_ = trial;
@@ -83,7 +85,7 @@ bool LoopCloser::close(const ClosureCandidate& candidate, int session, int targe
       graph_.untie([number = closure](const Tie& tie) { return tie.closure == number; });
     }
   }
-  graph_.setPoses(before);
+  graph_.setLie(before);
   takeBack(trial);
   return false;
 }

@@ -144,7 +144,7 @@ void Mapper::process(const MovingScan& scan) {
   if (view.tracked || graph_.node(at).compass) graph_.relaxRecent(kWindow);
   if (closer_.observe(view.tracked, placeNear(session_)(graph_.node(at).pose), way)) takeBack();
   speakOfJoins(at, scan, view);
-  if (carried_.accepted()) partWays();
+  if (accepted(carried_, kMapSession)) partWays();
   if (closeLoops(way)) {
     anchored_way_ = way;
     decision.kind = ScanDecision::Kind::kClosed;

@@ -40,11 +40,13 @@ struct MapperOptions {
   double spacing = 1.3;    ///< least distance of a new place from all others [m]
   double doubled = 0.6;    ///< of two places nearer than this after a correction the newer goes [m]
   ClosureOptions closure;  ///< of loops
-  ClosureOptions join{10, 7.0, 2.0, 20.0, 4.0, 6.0, 5};  ///< of a session with the map
+  ClosureOptions join{10,  7.0, 2.0, 20.0, 4.0,
+                      6.0, 5,   5,   0.0,  0.65};  ///< of a session with the map
   /// Of a robot that thinks to be on new ground, and is carried to where it was: rooms look alike.
-  ClosureOptions carried{12, 8.0, 2.0, 24.0, 5.0, 6.0, 5};
-  ClosureOptions relocate{2, 0.2, 0.0, 4.0, 2.0, 4.0};  ///< of a robot that only asks where it is
-  double cell_size = kDefaultCellSize;                  ///< [m]
+  ClosureOptions carried{12, 8.0, 2.0, 24.0, 5.0, 6.0, 5, 6, 0.0, 0.65};
+  ClosureOptions relocate{2,   0.2, 0.0, 4.0, 2.0,
+                          4.0, 3,   1,   0.0, 0.0};  ///< of a robot that only asks where it is
+  double cell_size = kDefaultCellSize;               ///< [m]
   ThinningOptions thinning;
   SonarModelOptions sonar;
   RecognizerOptions recognizer;
@@ -204,6 +206,7 @@ class Mapper {
   std::function<bool(const Pose2d&)> placeNear(int session) const;
   void sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySearch& ways,
                View& view) const;
+  const ClosureCandidate* accepted(const ClosureCandidates& candidates, int target) const;
   bool closeLoops(double way);
   void takeBack();
   PlaceBelief::Map beliefMap() const;

@@ -12,6 +12,7 @@ constexpr double kDegree = kPi / 180.0;
 constexpr double kAtPlace = 0.6;  ///< so near to a place a scan should show it [m]
 constexpr double kCompassWindow = 45.0 * kDegree;
 constexpr double kCompassAgrees = 30.0 * kDegree;
+constexpr double kTrackSigma = 1.0;  ///< as far as odometry tells at which place it is [m]
 constexpr double kUseful = 0.3;      ///< probability of a match that is worth something
 constexpr double kLongUntied = 5.0;  ///< way after which every heading is looked at [m]
 
@@ -75,14 +76,16 @@ void Mapper::sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySe
   const bool compass =
       node.compass && std::abs(wrapAngle(*node.compass - node.pose.yaw)) < kCompassAgrees;
   for (Sighting seen : sightings) {
-    if (std::hypot(seen.pose.x - here.x, seen.pose.y - here.y) < 0.5 &&
+    const NodeIndex place = shelf_.nodeOf(seen.place);
+    // Where odometry cannot tell so exactly, being back where it has the robot is a loop too.
+    const std::optional<double> way = ways.to(place);
+    const bool told = way && positionSigma(*way, node.compass.has_value()) <= kTrackSigma;
+    if ((view.tracked || told) && std::hypot(seen.pose.x - here.x, seen.pose.y - here.y) < 0.5 &&
         std::abs(wrapAngle(seen.pose.yaw - here.yaw)) < 15.0 * kDegree) {
       continue;
     }
-    const NodeIndex place = shelf_.nodeOf(seen.place);
     // What no way leads to may lie anywhere.
-    const double off =
-        ways.to(place) ? sigmasOff(graph_, ways.along(place), compass, seen.pose) : 0.0;
+    const double off = way ? sigmasOff(graph_, ways.along(place), compass, seen.pose) : 0.0;
     if (off > kFarthestSigmas) {
       view.beyond.push_back(seen);
       continue;

@@ -12,6 +12,8 @@ namespace {
 constexpr double kLostAfterClosure = 0.05;
 /// No tie may be further off than three sigma: of three numbers together [sigma^2].
 constexpr double kFarOff = 14.2;
+/// Share of the agreement that is asked on an average which no witness may fall short of.
+constexpr double kLeastAgreement = 0.65;
 constexpr double kRemembered = 3.0;  ///< places about by which a thinned scan is remembered [m]
 constexpr int kSteps = 15;           ///< of a relaxation after a change of what is known
 
@@ -27,16 +29,33 @@ std::vector<MappedPlace> Mapper::places() const {
   return places;
 }
 
+/// What looks alike to recognition still differs in what stands about.
+const ClosureCandidate* Mapper::accepted(const ClosureCandidates& candidates, int target) const {
+  const PlaceMatcher* places = shelf_.matcher(target);
+  const ClosureCandidate* best = candidates.accepted(places ? places->size() : 0);
+  if (!best || candidates.options().agreement == 0.0) return best;
+  double sum = 0.0, least = 1.0, count = 0.0;
+  for (const Witness& witness : best->witnesses) {
+    const auto agrees = newest_.agreeWith(witness.place, witness.node, witness.pose);
+    if (!agrees) continue;
+    sum += *agrees;
+    least = std::min(least, *agrees);
+    count += 1.0;
+  }
+  const double asked = candidates.options().agreement;
+  return sum >= asked * count && least >= kLeastAgreement * asked ? best : nullptr;
+}
+
 bool Mapper::closeLoops(double way) {
   const bool moves_map = options_.mode == MapperMode::kMap;
   bool closed = false;
-  if (const ClosureCandidate* loop = loops_.accepted()) {
+  if (const ClosureCandidate* loop = accepted(loops_, session_)) {
     closed = closer_.close(*loop, session_, session_, moves_map, way);
     note(closed ? MapperEvent::Kind::kClosed : MapperEvent::Kind::kRefused, loop);
     if (!closed) loops_.dropForemost();
   }
   if (!closed && session_ != kMapSession) {
-    if (const ClosureCandidate* join = joins_.accepted()) {
+    if (const ClosureCandidate* join = accepted(joins_, kMapSession)) {
       closed = closer_.close(*join, session_, kMapSession, moves_map, way);
       note(closed ? MapperEvent::Kind::kJoined : MapperEvent::Kind::kRefused, join);
       if (!closed) joins_.dropForemost();

@@ -64,14 +64,27 @@ std::optional<double> NewestReadings::agree(NodeIndex node, std::size_t first,
   const Pose2d middle = scan.pose * (*scan.readings)[(first + last) / 2].sensor_pose;
   const auto near = shelf_.near(middle, scan.session, kNear, true);
   if (near.empty()) return std::nullopt;
-  const ScanNode& place = graph_.node(shelf_.nodeOf(near.front().id));
-  const Pose2d map_from_grid = place.pose * Pose2d{0.0, 0.0, -place.laid_yaw};
-  const std::vector<SonarReading> newest(
-      scan.readings->begin() + static_cast<std::ptrdiff_t>(first),
-      scan.readings->begin() + static_cast<std::ptrdiff_t>(last));
+  return agree(near.front().id,
+               {scan.readings->begin() + static_cast<std::ptrdiff_t>(first),
+                scan.readings->begin() + static_cast<std::ptrdiff_t>(last)},
+               scan.pose);
+}
+
+std::optional<double> NewestReadings::agree(PlaceId place,
+                                            const std::vector<SonarReading>& readings,
+                                            const Pose2d& pose) const {
+  const ScanNode& at = graph_.node(shelf_.nodeOf(place));
+  const Pose2d map_from_grid = at.pose * Pose2d{0.0, 0.0, -at.laid_yaw};
   const EvidenceGrid grid =
-      sonar_.build(movedReadings(newest, map_from_grid.inverse() * scan.pose), geometry_);
-  return agreement(CellPlanes(grid), shelf_.matcher(scan.session)->cells(near.front().id));
+      sonar_.build(movedReadings(readings, map_from_grid.inverse() * pose), geometry_);
+  return agreement(CellPlanes(grid), shelf_.matcher(at.session)->cells(place));
+}
+
+std::optional<double> NewestReadings::agreeWith(PlaceId place, NodeIndex node,
+                                                const Pose2d& pose) const {
+  const auto& readings = graph_.node(node).readings;
+  if (!readings || !shelf_.has(place)) return std::nullopt;
+  return agree(place, *readings, pose);
 }
 
 }  // namespace place_memory::core

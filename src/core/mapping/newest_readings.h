@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "core/grid/cell_planes.h"
 #include "core/mapping/place_shelf.h"
@@ -34,8 +35,13 @@ class NewestReadings {
   /// to where they put the robot.
   Agreement agree(NodeIndex node, std::size_t first) const;
 
+  /// Agreement of all readings of a node, had it been at `pose`, with a ripe place.
+  std::optional<double> agreeWith(PlaceId place, NodeIndex node, const Pose2d& pose) const;
+
  private:
   std::optional<double> agree(NodeIndex node, std::size_t first, std::size_t last) const;
+  std::optional<double> agree(PlaceId place, const std::vector<SonarReading>& readings,
+                              const Pose2d& pose) const;
 
   const ScanGraph& graph_;
   const PlaceShelf& shelf_;

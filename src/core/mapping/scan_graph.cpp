@@ -117,7 +117,8 @@ void ScanGraph::steps(NodeIndex from, std::vector<Step>& found) const {
   }
 }
 
-RelaxationProblem ScanGraph::problemOf(const std::vector<NodeIndex>& free, int session) const {
+RelaxationProblem ScanGraph::problemOf(const std::vector<NodeIndex>& free, int session,
+                                       int trusted) const {
   RelaxationProblem problem;
   problem.errors = errors_;
   std::unordered_map<NodeIndex, std::size_t> at;
@@ -150,7 +151,8 @@ RelaxationProblem ScanGraph::problemOf(const std::vector<NodeIndex>& free, int s
       const bool other_free = found != at.end() && !problem.held[found->second];
       if (other_free && tie.place == node) continue;  // from the node's side
       problem.relatives.push_back({indexOf(tie.place, true), indexOf(tie.node, true), tie.relative,
-                                   tie.information, -1.0, 0.0, kTieDoubt});
+                                   tie.information, -1.0, 0.0,
+                                   trusted != 0 && tie.closure == trusted ? 0.0 : kTieDoubt});
     }
     if (nodes_[node].compass && ties_of_[node].empty()) {
       problem.yaws.push_back(
@@ -170,20 +172,20 @@ void ScanGraph::relaxRecent(std::size_t count) {
   }
   if (free.empty()) return;
   std::reverse(free.begin(), free.end());
-  RelaxationProblem problem = problemOf(free, session);
+  RelaxationProblem problem = problemOf(free, session, 0);
   RelaxationOptions options;
   options.iterations = 4;
   relax(problem, options);
   for (std::size_t i = 0; i < free.size(); ++i) nodes_[free[i]].pose = problem.poses[i];
 }
 
-void ScanGraph::relaxAll(int session, int iterations) {
+void ScanGraph::relaxAll(int session, int iterations, int trusted) {
   std::vector<NodeIndex> all;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (nodes_[i].session == session) all.push_back(i);
   }
   if (all.size() < 2) return;
-  RelaxationProblem problem = problemOf(all, session);
+  RelaxationProblem problem = problemOf(all, session, trusted);
   problem.held[0] = 1;
   problem.find_errors = true;
   RelaxationOptions options;
@@ -208,15 +210,17 @@ void ScanGraph::split(NodeIndex first, int session, const Pose2d& session_from_p
   }
 }
 
-std::vector<Pose2d> ScanGraph::poses() const {
-  std::vector<Pose2d> poses;
-  poses.reserve(nodes_.size());
-  for (const ScanNode& node : nodes_) poses.push_back(node.pose);
-  return poses;
+ScanGraph::Lie ScanGraph::lie() const {
+  Lie lie{{}, errors_, error_sigmas_};
+  lie.poses.reserve(nodes_.size());
+  for (const ScanNode& node : nodes_) lie.poses.push_back(node.pose);
+  return lie;
 }
 
-void ScanGraph::setPoses(const std::vector<Pose2d>& poses) {
-  for (std::size_t i = 0; i < poses.size(); ++i) nodes_[i].pose = poses[i];
+void ScanGraph::setLie(const Lie& lie) {
+  for (std::size_t i = 0; i < lie.poses.size(); ++i) nodes_[i].pose = lie.poses[i];
+  errors_ = lie.errors;
+  error_sigmas_ = lie.error_sigmas;
 }
 
 void ScanGraph::join(int session, int into, const Pose2d& into_from_session) {

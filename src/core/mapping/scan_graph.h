@@ -47,8 +47,9 @@ class ScanGraph {
 
   /// Moves the newest `count` nodes of the session, the others held.
   void relaxRecent(std::size_t count);
-  /// Moves all nodes of a session; its first stays.
-  void relaxAll(int session, int iterations);
+  /// Moves all nodes of a session; its first stays. `trusted`: ties of that closure are believed
+  /// however far they are off, so that it is found where they lead to; 0: none.
+  void relaxAll(int session, int iterations, int trusted = 0);
   /// By how much the compass erred at a place, by the mean of what is tied to it [rad].
   std::optional<double> compassDeviation(NodeIndex place) const;
   /// Squared distance of a tie from the poses [sigma^2].
@@ -59,11 +60,16 @@ class ScanGraph {
   void cutBefore(NodeIndex node);
   /// Makes a session again of the nodes from `first` on.
   void split(NodeIndex first, int session, const Pose2d& session_from_poses);
-  std::vector<Pose2d> poses() const;
-  void setPoses(const std::vector<Pose2d>& poses);
+  /// What relaxing changes.
+  struct Lie {
+    std::vector<Pose2d> poses;
+    OdometryErrors errors, error_sigmas;
+  };
+  Lie lie() const;
+  void setLie(const Lie& lie);
 
  private:
-  RelaxationProblem problemOf(const std::vector<NodeIndex>& free, int session) const;
+  RelaxationProblem problemOf(const std::vector<NodeIndex>& free, int session, int trusted) const;
   void indexTies();
 
   std::vector<ScanNode> nodes_;

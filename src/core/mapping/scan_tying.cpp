@@ -21,6 +21,9 @@ constexpr double kTieTurn = 10.0 * kDegree;
 constexpr double kDeviates = 45.0 * kDegree;  ///< from what the compass showed there before
 constexpr double kDeviating = 0.2;            ///< share of a probability that remains then
 constexpr double kTrackWindow = 15.0 * kDegree;
+/// Of where odometry has a place: where it may be anywhere about, that one of the places looks like
+/// what should be there is worth no more than any other sighting. [m]
+constexpr double kTrackSigma = 1.0;
 
 /// The grid's content moved by whole cells.
 EvidenceGrid shifted(const EvidenceGrid& grid, CellShift shift) {
@@ -86,14 +89,17 @@ bool ScanTying::track(NodeIndex node, const LaidScan& scan, const std::vector<Pl
     const bool close = off <= 0.5 && turn <= 8.0 * kDegree && sighting.probability >= 0.3;
     const bool sure =
         !near_only && off <= 1.0 && turn <= 15.0 * kDegree && sighting.probability >= 0.82;
-    return (close || sure) && off <= 0.3 + 3.0 * sigmaTo(sighting.place);
+    const double sigma = sigmaTo(sighting.place);
+    return (close || sure) && sigma <= kTrackSigma && off <= 0.3 + 3.0 * sigma;
   });
   if (!there) return false;
   int ties = 0;
   const int session = graph_.node(node).session;
   for (const PlaceShelf::Near& near : shelf_.near(estimate, session, kTieReach, true)) {
     if (ties == kMostTies) break;
-    const double reach = std::min(1.0, 0.3 + 3.0 * sigmaTo(near.id));
+    const double sigma = sigmaTo(near.id);
+    if (sigma > kTrackSigma) continue;
+    const double reach = std::min(1.0, 0.3 + 3.0 * sigma);
     ties += tie(near.id, node, scan, reach, kTrackWindow, closure) ? 1 : 0;
   }
   return ties > 0;

@@ -5,6 +5,8 @@
 namespace place_memory::core {
 namespace {
 
+constexpr std::size_t kPlaces = 20;
+
 const auto kNowhere = [](const Pose2d&) { return false; };
 const auto kEverywhere = [](const Pose2d&) { return true; };
 
@@ -19,9 +21,9 @@ struct Drive {
     candidates.update(node++, way, 3.0, {way, 0.0, 0.0}, sightings, at_place);
     way += 0.5;
   }
-  /// Where a shift by `dx` and `dy` would put it.
+  /// Where a shift by `dx` and `dy` would put it; each metre has a place.
   Sighting shifted(double dx, double dy, double probability) const {
-    return {7, probability, {way + dx, dy, 0.0}};
+    return {static_cast<PlaceId>(100.0 + way + dx), probability, {way + dx, dy, 0.0}};
   }
 };
 
@@ -29,26 +31,53 @@ TEST(ClosureCandidates, OneSureScanIsNoWitnessEnough) {
   Drive drive;
   drive.scan({drive.shifted(5.0, 1.0, 0.999)}, kNowhere);
   EXPECT_FALSE(drive.candidates.empty());
-  EXPECT_EQ(drive.candidates.accepted(), nullptr);
+  EXPECT_EQ(drive.candidates.accepted(kPlaces), nullptr);
 }
 
 TEST(ClosureCandidates, ScansThatAgreeOverThreeMetresAreEnough) {
   Drive drive;
   int scans = 0;
-  while (!drive.candidates.accepted() && scans < 20) {
+  while (!drive.candidates.accepted(kPlaces) && scans < 20) {
     drive.scan({drive.shifted(5.0, 1.0, 0.9)}, kEverywhere);
     ++scans;
   }
-  ASSERT_NE(drive.candidates.accepted(), nullptr);
+  ASSERT_NE(drive.candidates.accepted(kPlaces), nullptr);
   EXPECT_EQ(scans, 7);  // three metres at half a metre a scan
-  EXPECT_NEAR(drive.candidates.accepted()->target_from_estimate.x, 5.0, 1e-6);
-  EXPECT_NEAR(drive.candidates.accepted()->target_from_estimate.y, 1.0, 1e-6);
+  EXPECT_NEAR(drive.candidates.accepted(kPlaces)->target_from_estimate.x, 5.0, 1e-6);
+  EXPECT_NEAR(drive.candidates.accepted(kPlaces)->target_from_estimate.y, 1.0, 1e-6);
+}
+
+TEST(ClosureCandidates, OnePlaceSeenAgainAndAgainIsNoWayThroughTheBuilding) {
+  Drive drive;
+  for (int i = 0; i < 40; ++i) {
+    Sighting seen = drive.shifted(5.0, 1.0, 0.9);
+    seen.place = 7;
+    drive.scan({seen}, kEverywhere);
+  }
+  EXPECT_EQ(drive.candidates.accepted(kPlaces), nullptr);
+  // A map that has no more cannot show more.
+  EXPECT_NE(drive.candidates.accepted(1), nullptr);
+}
+
+TEST(ClosureCandidates, TheFartherItMovesTheRobotTheMorePlacesItTakes) {
+  const auto scansFor = [](double moves) {
+    Drive drive;
+    int scans = 0;
+    while (!drive.candidates.accepted(kPlaces) && scans < 40) {
+      drive.scan({drive.shifted(moves, 0.0, 0.9)}, kEverywhere);
+      ++scans;
+    }
+    return scans;
+  };
+  EXPECT_LT(scansFor(3.0), scansFor(13.0));
+  EXPECT_LT(scansFor(13.0), scansFor(21.0));
+  EXPECT_LT(scansFor(21.0), 20);
 }
 
 TEST(ClosureCandidates, WhereOdometryHardlyReachesItTakesMore) {
   Drive drive;
   int scans = 0;
-  while (!drive.candidates.accepted() && scans < 40) {
+  while (!drive.candidates.accepted(kPlaces) && scans < 40) {
     Sighting seen = drive.shifted(5.0, 1.0, 0.9);
     seen.prior = -4.0;
     drive.scan({seen}, kEverywhere);
@@ -61,7 +90,7 @@ TEST(ClosureCandidates, SightingsAllOverThePlaceAgreeWithNothing) {
   Drive drive;
   for (int i = 0; i < 40; ++i) {
     drive.scan({drive.shifted(3.0 * (i % 7), 2.5 * (i % 5), 0.95)}, kEverywhere);
-    EXPECT_EQ(drive.candidates.accepted(), nullptr) << i;
+    EXPECT_EQ(drive.candidates.accepted(kPlaces), nullptr) << i;
   }
 }
 
@@ -70,11 +99,11 @@ TEST(ClosureCandidates, TwoThatAreAsGoodWait) {
   for (int i = 0; i < 20; ++i) {
     drive.scan({drive.shifted(5.0, 0.0, 0.45), drive.shifted(9.0, 0.0, 0.45)}, kNowhere);
   }
-  EXPECT_EQ(drive.candidates.accepted(), nullptr);
+  EXPECT_EQ(drive.candidates.accepted(kPlaces), nullptr);
   // Once one of them is not seen where it should be, the other one is it.
   for (int i = 0; i < 6; ++i) drive.scan({drive.shifted(5.0, 0.0, 0.9)}, kEverywhere);
-  ASSERT_NE(drive.candidates.accepted(), nullptr);
-  EXPECT_NEAR(drive.candidates.accepted()->target_from_estimate.x, 5.0, 0.01);
+  ASSERT_NE(drive.candidates.accepted(kPlaces), nullptr);
+  EXPECT_NEAR(drive.candidates.accepted(kPlaces)->target_from_estimate.x, 5.0, 0.01);
 }
 
 TEST(ClosureCandidates, MissesAtKnownPlacesSpeakAgainst) {
@@ -83,7 +112,7 @@ TEST(ClosureCandidates, MissesAtKnownPlacesSpeakAgainst) {
     std::vector<Sighting> sightings;
     if (i % 3 == 0) sightings.push_back(drive.shifted(5.0, 0.0, 0.6));
     drive.scan(sightings, kEverywhere);
-    EXPECT_EQ(drive.candidates.accepted(), nullptr);
+    EXPECT_EQ(drive.candidates.accepted(kPlaces), nullptr);
   }
 }
 
@@ -100,8 +129,8 @@ TEST(ClosureCandidates, FollowsOdometryThatDrifts) {
   for (int i = 0; i < 12; ++i) {
     drive.scan({drive.shifted(5.0 + 0.05 * i, 0.02 * i, 0.9)}, kEverywhere);
   }
-  ASSERT_NE(drive.candidates.accepted(), nullptr);
-  EXPECT_NEAR(drive.candidates.accepted()->target_from_estimate.x, 5.5, 0.15);
+  ASSERT_NE(drive.candidates.accepted(kPlaces), nullptr);
+  EXPECT_NEAR(drive.candidates.accepted(kPlaces)->target_from_estimate.x, 5.5, 0.15);
 }
 
 }  // namespace

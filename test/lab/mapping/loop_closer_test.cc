@@ -115,7 +115,7 @@ TEST_F(LoopCloserTest, TheRightTransformClosesTheLoop) {
 }
 
 TEST_F(LoopCloserTest, FalseTransformsAreRefusedOrTakenBack) {
-  const std::vector<Pose2d> before = graph_.poses();
+  const ScanGraph::Lie before = graph_.lie();
   int tried = 0;
   for (const Pose2d& wrong : {Pose2d{3.0, 0.0, 0.0}, Pose2d{0.0, 3.0, 0.0}, Pose2d{-4.0, 1.0, 0.0},
                               Pose2d{2.0, -4.0, 0.3}}) {
@@ -128,10 +128,10 @@ TEST_F(LoopCloserTest, FalseTransformsAreRefusedOrTakenBack) {
         back = closer_.observe(false, true, way);
       }
       EXPECT_TRUE(back);
-      graph_.setPoses(before);
+      graph_.setLie(before);
     }
     EXPECT_TRUE(graph_.ties().empty());
-    EXPECT_EQ(graph_.node(graph_.nodes().size() - 1).pose.x, before.back().x);
+    EXPECT_EQ(graph_.node(graph_.nodes().size() - 1).pose.x, before.poses.back().x);
   }
   EXPECT_GE(tried, 2);
 }
@@ -139,9 +139,9 @@ TEST_F(LoopCloserTest, FalseTransformsAreRefusedOrTakenBack) {
 TEST_F(LoopCloserTest, AClosureThatDoesNotAgreeAnyMoreIsCut) {
   ASSERT_TRUE(closer_.close(candidate(drift_.inverse()), 1, 1, true, 60.0));
   EXPECT_FALSE(closer_.cutContradicted());
-  std::vector<Pose2d> poses = graph_.poses();
-  for (const NodeIndex at : drifted_) poses[at] = Pose2d{2.0, 0.0, 0.0} * poses[at];
-  graph_.setPoses(poses);
+  ScanGraph::Lie lie = graph_.lie();
+  for (const NodeIndex at : drifted_) lie.poses[at] = Pose2d{2.0, 0.0, 0.0} * lie.poses[at];
+  graph_.setLie(lie);
   EXPECT_TRUE(closer_.cutContradicted());
   EXPECT_TRUE(graph_.ties().empty());
 }
