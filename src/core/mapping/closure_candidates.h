@@ -21,7 +21,7 @@ struct ClosureOptions {
   std::size_t misses = 3;     ///< of so many scans one that should agree may fail to
   /// That they agree with, of those that there are: rooms look alike, a way through several less
   /// so.
-  std::size_t places = 3;
+  std::size_t places = 2;
   double farther = 4.0;     ///< for each so far that it moves the robot one more; 0: for none [m]
   double agreement = 0.55;  ///< of the witnesses' scans with the places, on an average
 };

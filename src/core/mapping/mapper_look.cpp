@@ -12,7 +12,6 @@ constexpr double kDegree = kPi / 180.0;
 constexpr double kAtPlace = 0.6;  ///< so near to a place a scan should show it [m]
 constexpr double kCompassWindow = 45.0 * kDegree;
 constexpr double kCompassAgrees = 30.0 * kDegree;
-constexpr double kTrackSigma = 1.0;  ///< as far as odometry tells at which place it is [m]
 constexpr double kUseful = 0.3;      ///< probability of a match that is worth something
 constexpr double kLongUntied = 5.0;  ///< way after which every heading is looked at [m]
 

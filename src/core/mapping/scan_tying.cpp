@@ -21,9 +21,6 @@ constexpr double kTieTurn = 10.0 * kDegree;
 constexpr double kDeviates = 45.0 * kDegree;  ///< from what the compass showed there before
 constexpr double kDeviating = 0.2;            ///< share of a probability that remains then
 constexpr double kTrackWindow = 15.0 * kDegree;
-/// Of where odometry has a place: where it may be anywhere about, that one of the places looks like
-/// what should be there is worth no more than any other sighting. [m]
-constexpr double kTrackSigma = 1.0;
 
 /// The grid's content moved by whole cells.
 EvidenceGrid shifted(const EvidenceGrid& grid, CellShift shift) {

@@ -12,6 +12,10 @@
 
 namespace place_memory::core {
 
+/// Of where odometry has a place: where it may be anywhere about, that one of the places looks like
+/// what should be there is worth no more than any other sighting. [m]
+constexpr double kTrackSigma = 1.0;
+
 /// A scan's grid, its axes along the map's, and where the robot is thought to have stood.
 struct LaidScan {
   EvidenceGrid grid;
