@@ -80,7 +80,10 @@ const std::map<std::string, Parts> kMayUse{
     {"node/answer", {"node"}},
     {"node/map", {"node"}},
     {"node/drive", {"node/scan"}},
-    {"node", {"config", "ros", "node/input", "node/scan", "node/answer", "node/map", "node/drive"}},
+    {"node/go", {"node/drive"}},
+    {"node",
+     {"config", "ros", "node/input", "node/scan", "node/answer", "node/map", "node/drive",
+      "node/go"}},
 
     {"picture", {"core/memory", "boost"}},
     {"tools", {"config", "picture", "ros", "node/input", "node/scan", "node/drive"}},
@@ -93,7 +96,7 @@ const std::map<std::string, Parts> kMayUse{
     {"lab/benchmark", {"lab/trials", "google_benchmark"}},
     {"lab/mapping", {"lab/experiments"}},
     {"lab/reports", {"lab/trials"}},
-    {"lab/routes", {"lab"}},
+    {"lab/routes", {"lab/mapping"}},
 };
 
 /// Single files that may use more than their part, and why.
