@@ -173,6 +173,7 @@ ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
     scans_.add(std::move(scan));
   };
   callbacks.partial = [this](const core::Scan& scan) { publishScan(scan); };
+  callbacks.under_way = [this](bool under_way) { scans_.setUnderWay(under_way); };
   callbacks.time_jump = [this] {
     dropScans();
     go_server_.onTimeJump();

@@ -38,6 +38,7 @@ class DriveLease {
   /// now, which `refusal` says in a sentence.
   std::unique_ptr<Hold> take(const std::string& who, std::string& refusal);
 
+  bool isListenedTo() const { return publisher_.getNumSubscribers() > 0; }
   /// Where velocities go, for people.
   const std::string& topic() const { return topic_; }
 

@@ -36,6 +36,7 @@ ScanServer::ScanServer(const ros::NodeHandle& names, const ros::NodeHandle& priv
                        const config::Parameters& parameters, DriveLease& lease,
                        tf2::BufferCore& buffer, TransformInput& transforms, Callbacks callbacks)
     : parameters_(parameters),
+      named_parameters_(withResolvedTopics(names, parameters)),
       lease_(lease),
       buffer_(buffer),
       transforms_(transforms),
@@ -44,7 +45,7 @@ ScanServer::ScanServer(const ros::NodeHandle& names, const ros::NodeHandle& priv
       intake_(
           intake_parameters_,
           [&names](const std::string& topic) { return names.resolveName(topic); }, registry_),
-      collector_(parameters, buffer, registry_),
+      collector_(named_parameters_, buffer, registry_),
       clock_(toNanoseconds(parameters.time_jump_tolerance)),
       queue_("scans", [this](const std::string& what) { onError(what); }),
       names_(names),
@@ -95,12 +96,8 @@ void ScanServer::setNoEcho(const config::NoEchoOptions& options) {
 
 InputHealth ScanServer::health() const {
   InputHealth health;
-  for (const std::string& topic : parameters_.sonar_topics) {
-    health.sonar_topics.push_back(names_.resolveName(topic));
-  }
-  if (!parameters_.heading_topic.empty()) {
-    health.heading_topic = names_.resolveName(parameters_.heading_topic);
-  }
+  health.sonar_topics = named_parameters_.sonar_topics;
+  health.heading_topic = named_parameters_.heading_topic;
   const std::lock_guard<std::mutex> lock(mutex_);
   health.sensors = collector_.sensorHealth();
   health.compass = collector_.compassHealth();
@@ -155,7 +152,8 @@ void ScanServer::onGoal(const GoalHandle& goal) {
   goal_.setAccepted();
   timeRanBackwards(now);
   clock_.restart(steadyNow());
-  sweep_.emplace(*request, parameters_, collector_, lease_.topic());
+  sweep_.emplace(*request, named_parameters_, collector_, lease_.topic());
+  if (callbacks_.under_way) callbacks_.under_way(true);
 }
 
 void ScanServer::onCancel(const GoalHandle& goal) {
@@ -197,6 +195,7 @@ void ScanServer::advance(std::chrono::nanoseconds now) {
          now);
     return;
   }
+  sweep_->setListened(lease_.isListenedTo());
   const Sweep::Step step = sweep_->update(now);
   if (step.rate && hold_) hold_->drive(0.0, *step.rate);
   if (step.outcome) end(*step.outcome, now);
@@ -249,8 +248,10 @@ void ScanServer::fail(ScanStatus status, const std::string& message, std::chrono
   end({status, message, nullptr, {}}, now);
 }
 
-void ScanServer::end(const ScanOutcome& outcome, std::chrono::nanoseconds now) {
+void ScanServer::end(ScanOutcome outcome, std::chrono::nanoseconds now) {
   hold_.reset();
+  const std::string silent = silentTopics(health());
+  if (!silent.empty()) outcome.message += "; " + silent;
 
   ScanPlaceResult result;
   result.status = static_cast<std::uint8_t>(outcome.status);
@@ -270,8 +271,9 @@ void ScanServer::end(const ScanOutcome& outcome, std::chrono::nanoseconds now) {
   sweep_.reset();
   sayOutcome(outcome);
 
+  if (outcome.scan && callbacks_.finished) callbacks_.finished(outcome.scan);
+  if (callbacks_.under_way) callbacks_.under_way(false);
   if (outcome.scan) {
-    if (callbacks_.finished) callbacks_.finished(outcome.scan);
     goal_.setSucceeded(result, result.message);
   } else if (outcome.status == ScanStatus::kCanceled) {
     goal_.setCanceled(result, result.message);

@@ -43,6 +43,7 @@ class ScanServer {
   struct Callbacks {
     std::function<void(std::shared_ptr<const core::Scan>)> finished;  ///< a scan succeeded
     std::function<void(const core::Scan&)> partial;  ///< it grows, at most twice a second
+    std::function<void(bool)> under_way;             ///< one began, or none runs any more
     std::function<void()> time_jump;          ///< ROS time ran backwards; tf is already cleared
     std::function<void(const Taken&)> taken;  ///< what a message said, scan or no scan
   };
@@ -82,9 +83,10 @@ class ScanServer {
   void sayProblems();
   void report(std::chrono::nanoseconds now);
   void fail(ScanStatus status, const std::string& message, std::chrono::nanoseconds now);
-  void end(const ScanOutcome& outcome, std::chrono::nanoseconds now);
+  void end(ScanOutcome outcome, std::chrono::nanoseconds now);
 
   const config::Parameters& parameters_;
+  const config::Parameters named_parameters_;  // with the topics as people remapped them
   DriveLease& lease_;
   tf2::BufferCore& buffer_;
   TransformInput& transforms_;
