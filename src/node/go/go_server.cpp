@@ -9,7 +9,7 @@
 #include "node/base/node_names.h"
 #include "node/base/ros_time.h"
 #include "node/drive/drive_publisher.h"
-#include "support/text.h"
+#include "node/go/go_goal.h"
 
 namespace place_memory::node {
 namespace {
@@ -101,32 +101,12 @@ void GoServer::stop() {
   queue_.clear();
 }
 
-std::optional<core::RouteEnd> GoServer::read(const GoToPlaceGoal& goal, Result& result) const {
-  if (goal.id != 0 || !goal.label.empty()) {
-    const std::optional<core::Place> place =
-        goal.id != 0 ? context_.memory.place(goal.id) : context_.memory.place(goal.label);
-    if (place) return core::RouteEnd{place->id, "", std::nullopt};
-    result.status = Result::UNKNOWN_GOAL;
-    result.message = goal.id != 0 ? "there is no place " + std::to_string(goal.id)
-                                  : "there is no place with the label that is given";
-    return std::nullopt;
-  }
-  const std::string frame = support::withoutLeadingSlashes(goal.pose.header.frame_id);
-  const core::Pose2d pose{goal.pose.pose.position.x, goal.pose.pose.position.y, 0.0};
-  if (pose.isFinite() && (frame.empty() || frame == parameters_.map_frame)) {
-    return core::RouteEnd{core::kNoPlace, "", pose};
-  }
-  result.status = Result::INVALID_GOAL;
-  result.message = "pose must be finite, and in the frame \"" + parameters_.map_frame + "\"";
-  return std::nullopt;
-}
-
 void GoServer::onGoal(const GoalHandle& goal) {
   GoalHandle accepted = goal;
   Result result;
   std::optional<core::RouteEnd> end;
   if (ros::Time::isValid()) {
-    end = read(*accepted.getGoal(), result);
+    end = readGoal(*accepted.getGoal(), context_.memory, parameters_.map_frame, result);
   } else {
     result.status = Result::NO_TIME;
     result.message = "use_sim_time is set, but no time has come on /clock yet";
@@ -291,22 +271,22 @@ void GoServer::finishIfOver() {
   if (run_ && run_->isOver()) finish(statusOf(run_->outcome()), run_->message());
 }
 
-void GoServer::finish(std::uint8_t status, const std::string& message) {
+void GoServer::finish(std::uint8_t status, std::string message) {
   pilot_->give();
   Result result;
   result.status = status;
-  result.message = message;
+  result.message = std::move(message);
   result.failed_leg = run_->failedLeg();
   result.tried = run_->tried();
   result.legs = static_cast<std::uint32_t>(run_->legsDone());
   run_.reset();
-  ROS_INFO("%s: %s", kSource, message.c_str());
+  ROS_INFO("%s: %s", kSource, result.message.c_str());
   if (status == Result::REACHED) {
-    goal_.setSucceeded(result, message);
+    goal_.setSucceeded(result, result.message);
   } else if (status == Result::CANCELED || status == Result::PREEMPTED) {
-    goal_.setCanceled(result, message);
+    goal_.setCanceled(result, result.message);
   } else {
-    goal_.setAborted(result, message);
+    goal_.setAborted(result, result.message);
   }
 }
 

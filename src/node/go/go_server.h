@@ -60,8 +60,6 @@ class GoServer {
   void onError(const std::string& what);
   void update(const ros::SteadyTimerEvent& event);
 
-  /// Nothing where the goal cannot be taken, which `result` then says.
-  std::optional<core::RouteEnd> read(const GoToPlaceGoal& goal, GoToPlaceResult& result) const;
   void begin(const core::RouteEnd& end);
   core::RoutePlan plan(core::PlaceId from, const core::GoalRun::Avoided& avoided) const;
   void report(const core::Traversal& traversal);
@@ -71,7 +69,8 @@ class GoServer {
   void take(const DriveReport& report, std::chrono::nanoseconds now);
   void sayFeedback(const DriveReport& report);
   void finishIfOver();
-  void finish(std::uint8_t status, const std::string& message);
+  /// `message` by value: the run, which may hold it, ends here.
+  void finish(std::uint8_t status, std::string message);
 
   const Context context_;
   const config::Parameters& parameters_;
