@@ -7,9 +7,9 @@
 #include <exception>
 #include <optional>
 
-#include "node/base/node_names.h"
 #include "node/drive/drive_publisher.h"
 #include "node/input/planar.h"
+#include "node/names/node_names.h"
 #include "support/text.h"
 
 namespace place_memory::node {
