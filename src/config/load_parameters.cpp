@@ -173,6 +173,7 @@ Parameters readAll(ParameterReader& reader) {
   readRoutes(reader, parameters.routes);
   readDrive(reader, parameters.drive);
   reader.integer("markers/labels", closed(0, 10000), parameters.markers.labels);
+  reader.integer("markers/clickable", closed(0, 200), parameters.markers.clickable);
   return parameters;
 }
 

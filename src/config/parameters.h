@@ -114,6 +114,7 @@ struct DriveOptions {
 /// What is drawn for rviz.
 struct MarkerOptions {
   int labels = 100;
+  int clickable = 0;  ///< places nearest to the robot that answer to the mouse
 };
 
 /// Everything that can be set, with its default. config/place_memory.yaml documents every one.

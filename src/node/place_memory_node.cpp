@@ -13,11 +13,11 @@
 #include "node/answer/answer_words.h"
 #include "node/base/cell_marker.h"
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
 #include "node/base/ros_time.h"
 #include "node/drive/drive_diagnostics.h"
 #include "node/input/sensor_placement.h"
 #include "node/map/memory_diagnostics.h"
+#include "node/names/node_names.h"
 #include "node/scan/input_diagnostics.h"
 
 namespace place_memory::node {
@@ -79,6 +79,12 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
                          scan_server_.setNoEcho(now.no_echo);
                        }),
       diagnostics_(names_, private_names_),
+      clicks_(
+          private_names_, *memory_, answer_publisher_, [this] { return believedPlaces(); },
+          parameters_),
+      handles_(private_names_, *memory_, static_cast<std::size_t>(parameters_.markers.clickable),
+               parameters_.map_frame,
+               [this](core::PlaceId id, PlaceEntry entry) { clicks_.choose(id, entry); }),
       drive_services_(names_, private_names_, driver_, *memory_, parameters_),
       services_(private_names_, {*memory_, answer_publisher_, scans_, examiner_, driver_,
                                  drive_publisher_, parameters_, store_problem_}),
@@ -140,6 +146,7 @@ void PlaceMemoryNode::sayWhatIsKnown() const {
 void PlaceMemoryNode::onDiagnosticsTimer() {
   diagnostics_.force_update();
   map_publisher_.follow();
+  handles_.follow(locateRobot());
   if (ros::Time::isValid()) return;
   if (ticks_without_time_++ % kTicksBetweenWarnings == 0) {
     ROS_WARN("Waiting for simulated time on /clock");  // throttled logging needs a time itself

@@ -16,6 +16,7 @@
 #include "config/parameters.h"
 #include "node/answer/answer_publisher.h"
 #include "node/answer/kept_scans.h"
+#include "node/answer/place_clicks.h"
 #include "node/answer/place_services.h"
 #include "node/answer/route_services.h"
 #include "node/answer/store_services.h"
@@ -32,6 +33,7 @@
 #include "node/map/fused_map_publisher.h"
 #include "node/map/map_frame_broadcaster.h"
 #include "node/map/map_publisher.h"
+#include "node/map/place_handles.h"
 #include "node/scan/scan_server.h"
 #include "node/scan/sensor_examiner.h"
 #include "place_memory/core/place_memory.h"
@@ -96,6 +98,8 @@ class PlaceMemoryNode {
   ros::SteadyTimer diagnostics_timer_;
   ros::SteadyTimer health_timer_;
   int ticks_without_time_ = 0;
+  PlaceClicks clicks_;
+  PlaceHandles handles_;
   DriveServices drive_services_;
   PlaceServices services_;  ///< ends with the next two: changes come from there
   RouteServices route_services_;

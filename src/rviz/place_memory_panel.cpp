@@ -105,6 +105,12 @@ void PlaceMemoryPanel::press(Command command) {
     case Command::kRelocalize:
       backend_.relocalize();
       break;
+    case Command::kGoTo:
+      backend_.goTo(place);
+      break;
+    case Command::kExplore:
+      backend_.explore();
+      break;
     case Command::kUndo:
       backend_.undo();
       break;
@@ -120,8 +126,8 @@ void PlaceMemoryPanel::press(Command command) {
     case Command::kRemove:
       askToRemove(place);
       break;
-    default:
-      break;
+    case Command::kSetMode:
+      break;  // has no button
   }
   poll();
 }
@@ -157,6 +163,7 @@ void PlaceMemoryPanel::show(const PanelView& view) {
   showCommands();
   showProgress(view);
   showWhere(view);
+  followChoice(view.chosen);
 }
 
 void PlaceMemoryPanel::showNodes(const PanelView& view) {
@@ -193,9 +200,9 @@ void PlaceMemoryPanel::showCommands() {
 void PlaceMemoryPanel::showProgress(const PanelView& view) {
   if (!view.goals.empty()) {
     const auto& [action, goal] = *view.goals.begin();
-    form_.progress->setRange(0, kWhole);
-    form_.progress->setValue(static_cast<int>(std::lround(kWhole * goal.fraction)));
-    form_.progress->setFormat(QString::fromStdString(action) + " %p %");
+    form_.progress->setRange(0, goal.fraction ? kWhole : 0);  // of no range: busy
+    form_.progress->setValue(static_cast<int>(std::lround(kWhole * goal.fraction.value_or(0.0))));
+    form_.progress->setFormat(QString::fromStdString(action) + (goal.fraction ? " %p %" : ""));
   } else {
     const bool is_waiting = !view.calls.empty();
     form_.progress->setRange(0, is_waiting ? 0 : kWhole);
@@ -226,8 +233,20 @@ void PlaceMemoryPanel::showPlaces(const PanelView& view) {
   if (form_.places->viewport()->findChild<QLineEdit*>() != nullptr) return;
   const QVariant chosen = form_.places->currentIndex().data(PlaceListModel::kIdRole);
   if (!places_->setRows(view.places) || !chosen.isValid()) return;
-  const QModelIndexList found = filtered_->match(filtered_->index(0, 0), PlaceListModel::kIdRole,
-                                                 chosen, 1, Qt::MatchExactly);
+  choosePlace(chosen);
+}
+
+void PlaceMemoryPanel::followChoice(const ChosenPlace& chosen) {
+  if (chosen.count == choices_) return;
+  choices_ = chosen.count;
+  form_.filter->clear();
+  choosePlace(QVariant::fromValue<qlonglong>(chosen.id));
+  if (chosen.is_to_be_renamed) form_.buttons.at(Command::kRename)->click();
+}
+
+void PlaceMemoryPanel::choosePlace(const QVariant& id) {
+  const QModelIndexList found =
+      filtered_->match(filtered_->index(0, 0), PlaceListModel::kIdRole, id, 1, Qt::MatchExactly);
   if (!found.empty()) form_.places->setCurrentIndex(found.front());
 }
 

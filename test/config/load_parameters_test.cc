@@ -62,6 +62,7 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_EQ(a.drive.largest_jump, b.drive.largest_jump);
   EXPECT_EQ(a.drive.initialpose, b.drive.initialpose);
   EXPECT_EQ(a.markers.labels, b.markers.labels);
+  EXPECT_EQ(a.markers.clickable, b.markers.clickable);
   EXPECT_EQ(a.map.resolution, b.map.resolution);
   EXPECT_EQ(a.map.max_cells, b.map.max_cells);
   EXPECT_EQ(a.map.occupied, b.map.occupied);

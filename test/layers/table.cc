@@ -74,7 +74,8 @@ const std::map<std::string, Parts> kMayUse{
     {"sim/robot", {"sim/building", "sim/senses"}},
     {"sim_node", {"sim/robot", "node"}},
 
-    {"node/base", {"config", "ros"}},
+    {"node/names", {}},  // of a robot and of whoever talks to it
+    {"node/base", {"config", "node/names", "ros"}},
     {"node/input", {"node/base"}},
     {"node/scan", {"node/input"}},
     {"node/answer", {"node"}},
@@ -85,9 +86,9 @@ const std::map<std::string, Parts> kMayUse{
      {"config", "ros", "node/input", "node/scan", "node/answer", "node/map", "node/drive",
       "node/go"}},
 
-    {"picture", {"core/memory", "boost"}},
+    {"picture", {"core/memory", "boost", "cairo"}},
     {"tools", {"config", "picture", "ros", "node/input", "node/scan", "node/drive"}},
-    {"rviz", {"support", "ros", "qt", "boost"}},
+    {"rviz", {"support", "node/names", "ros", "qt", "boost"}},
 
     {"lab", {"config", "picture", "sim/robot", "json"}},  // every folder of it
     {"lab/trials", {"lab"}},
@@ -122,6 +123,7 @@ const std::vector<Rule>& headerRules() {
       {std::regex("yaml-cpp/.+"), "yaml-cpp"},
       {std::regex("nlohmann/.+"), "json"},
       {std::regex("sqlite3\\.h"), "sqlite"},
+      {std::regex("cairo/cairo\\.h"), "cairo"},
       {std::regex("immintrin\\.h|arm_neon\\.h"), "intrinsics"},
       {std::regex("Q[A-Za-z]+"), "qt"},
       {std::regex("[a-z_]+|(fcntl|malloc|unistd|pthread|sched|signal|sys/[a-z]+)\\.h"), "std"},

@@ -139,6 +139,12 @@ class Driver {
     return "";
   }
 
+  /// What is being renamed; empty: nothing.
+  std::string edits() {
+    auto* editor = find<QListView>("places").viewport()->findChild<QLineEdit*>();
+    return editor == nullptr ? "" : editor->text().toStdString();
+  }
+
   std::string answerYes(const std::string&) {
     auto* box = panel_.findChild<QMessageBox*>();
     if (box == nullptr) throw std::runtime_error("nothing was asked");
@@ -192,6 +198,7 @@ class Driver {
       {"mode", [this](const std::string& name) { return mode(name); }},
       {"choose", [this](const std::string& label) { return choose(label); }},
       {"edit", [this](const std::string& text) { return edit(text); }},
+      {"edits", [this](const std::string&) { return edits(); }},
       {"yes", [this](const std::string& rest) { return answerYes(rest); }},
       {"greyed", [this](const std::string& name) { return greyed(name); }},
       {"show", [this](const std::string& name) { return show(name); }},

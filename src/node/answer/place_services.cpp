@@ -12,9 +12,9 @@
 #include "node/answer/guarded_service.h"
 #include "node/answer/service_status.h"
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
 #include "node/base/ros_time.h"
 #include "node/map/map_messages.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {

@@ -13,7 +13,7 @@
 #include "node/answer/answer_words.h"
 #include "node/answer/guarded_service.h"
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {

@@ -8,10 +8,10 @@
 #include <exception>
 #include <optional>
 
-#include "node/base/node_names.h"
 #include "node/drive/drive_publisher.h"
 #include "node/input/planar.h"
 #include "node/input/transform_filter.h"
+#include "node/names/node_names.h"
 #include "support/text.h"
 
 namespace place_memory::node {

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
 #include "node/base/ros_time.h"
 #include "node/input/input_message.h"
 #include "node/input/transform_filter.h"
+#include "node/names/node_names.h"
 #include "node/scan/scan_topics.h"
 
 namespace place_memory::node {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 
-#include "node/base/node_names.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/sensing/listening_end.h"
 #include "core/sensing/sweep_plan.h"
 #include "core/sensing/sweep_turner.h"
-#include "node/base/node_names.h"
+#include "node/names/node_names.h"
 #include "node/scan/scan_collector.h"
 #include "node/scan/scan_goal.h"
 #include "node/scan/scan_status.h"

@@ -1,8 +1,10 @@
-#ifndef PLACE_MEMORY_NODE_BASE_NODE_NAMES_H
-#define PLACE_MEMORY_NODE_BASE_NODE_NAMES_H
+#ifndef PLACE_MEMORY_NODE_NAMES_NODE_NAMES_H
+#define PLACE_MEMORY_NODE_NAMES_NODE_NAMES_H
 
-/// Every name the node has on the wire. Those that are parameters (frames, sonar and heading
-/// topics) are in config/parameters.h.
+#include <cstdint>
+
+/// Every name the node has on the wire, for the node and for those who talk to it. Those that are
+/// parameters (frames, sonar and heading topics) are in config/parameters.h.
 namespace place_memory::node {
 
 // Relative.
@@ -13,6 +15,7 @@ constexpr char kMoveBaseName[] = "move_base";
 // Private: below the node's own name.
 constexpr char kScanAction[] = "scan";
 constexpr char kGoToPlaceAction[] = "go_to_place";
+constexpr char kExploreAction[] = "explore";
 
 constexpr char kScanGridTopic[] = "scan_grid";
 constexpr char kMatchedGridTopic[] = "matched_grid";
@@ -22,6 +25,8 @@ constexpr char kAnswerMarkersTopic[] = "answer_markers";
 constexpr char kMapChangesTopic[] = "map_changes";
 constexpr char kPlaceGraphTopic[] = "place_graph";
 constexpr char kPlaceMarkersTopic[] = "place_markers";
+constexpr char kPlaceHandlesTopic[] = "place_handles";
+constexpr char kRouteTopic[] = "route";
 constexpr char kMapTopic[] = "map";
 constexpr char kMapMetadataTopic[] = "map_metadata";
 constexpr char kRecognitionTopic[] = "recognition";
@@ -52,6 +57,16 @@ constexpr char kMakePlanService[] = "make_plan";
 constexpr char kSetModeService[] = "set_mode";
 constexpr char kRelocalizeService[] = "relocalize";
 
+/// What a person may choose of the menu of a place in ~place_handles: entries of its menu.
+enum class PlaceEntry : std::uint32_t {
+  kRecall = 1,  ///< its grid; a click does that too
+  kRoute = 2,   ///< to it
+  kRename = 3,  ///< in the panel
+};
+
+/// Handles of places are named so, and their id.
+constexpr char kPlaceHandle[] = "place ";
+
 }  // namespace place_memory::node
 
-#endif  // PLACE_MEMORY_NODE_BASE_NODE_NAMES_H
+#endif  // PLACE_MEMORY_NODE_NAMES_NODE_NAMES_H
