@@ -2,7 +2,7 @@
 
 #include <geometry_msgs/Twist.h>
 
-#include "node/base/node_names.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "node/base/node_names.h"
 #include "node/base/ros_time.h"
 #include "node/drive/drive_publisher.h"
 #include "node/go/go_goal.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdio>
 
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
 #include "node/base/ros_time.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {
