@@ -62,7 +62,8 @@ const std::map<std::string, Parts> kMayUse{
     {"core/route", {"core/map"}},
     {"core/drive", {"core/route", "core/sensing"}},
     {"core/store", {"core/map", "core/grid"}},
-    {"core/memory", {"core/drive", "core/mapping", "core/route", "core/store"}},
+    {"core/explore", {"core/drive", "core/mapping"}},
+    {"core/memory", {"core/explore", "core/mapping", "core/route", "core/store"}},
 
     {"config", {"core/memory", "yaml-cpp"}},
 
@@ -93,7 +94,7 @@ const std::map<std::string, Parts> kMayUse{
     {"lab/benchmark", {"lab/trials", "google_benchmark"}},
     {"lab/mapping", {"lab/experiments"}},
     {"lab/reports", {"lab/trials"}},
-    {"lab/routes", {"lab"}},
+    {"lab/routes", {"lab/mapping"}},
 };
 
 /// Single files that may use more than their part, and why.
