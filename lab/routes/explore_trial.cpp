@@ -24,10 +24,11 @@ using std::chrono::nanoseconds;
 
 constexpr double kStart = 1000.0;     // stamp of the drive's time 0 [s]
 constexpr double kMapCell = 0.1;      // of the map that is explored by [m]
-constexpr double kDecideEvery = 1.0;  // of the way [m]
+constexpr double kDecideEvery = 0.5;  // of the way [m]
 constexpr double kHome = 1.0;         // [m]
 constexpr double kReach = 4.572;      // of the sonars [m]
-constexpr double kLostTime = 60.0;    // [s]
+constexpr double kLostDoubt = 3.0;    // [m]
+constexpr double kLostTime = 900.0;   // [s]
 
 double between(const Pose2d& one, const Pose2d& other) {
   return std::hypot(one.x - other.x, one.y - other.y);
@@ -130,7 +131,9 @@ class Robot {
   }
 
   Explorer::Moment moment() const {
-    return {pose(), way_, core::positionSigma(mapper_.untiedWay(), recipe_.compass)};
+    const double doubt = lost_since_ ? kLostDoubt
+                                     : core::positionSigma(mapper_.untiedWay(), recipe_.compass);
+    return {pose(), way_, doubt};
   }
 
   void decide() {

@@ -62,6 +62,9 @@ int run(const po::variables_map& given) {
   recipe.radius = given["radius"].as<double>();
   recipe.clearance = given["clearance"].as<double>();
   recipe.explorer.space.radius = given["room"].as<double>();
+  recipe.explorer.frontiers.least_width = given["width"].as<double>();
+  recipe.explorer.frontiers.least_opens = given["opens"].as<double>();
+  recipe.explorer.looked_around = given["looked"].as<double>();
   recipe.explorer.gain = given["gain"].as<double>();
   recipe.explorer.constancy = given["constancy"].as<double>();
   recipe.explorer.doubt = given["doubt"].as<double>();
@@ -129,6 +132,12 @@ int main(int argc, char** argv) {
       "likewise, ahead [m]")("room",
                              po::value<double>()->default_value(core::FreeSpaceOptions{}.radius),
                              "that ways leave to each side on the map [m]")(
+      "width", po::value<double>()->default_value(core::FrontierOptions{}.least_width),
+      "of a frontier, at least [m]")(
+      "opens", po::value<double>()->default_value(core::FrontierOptions{}.least_opens),
+      "that is unknown beyond it, at least [m^2]")(
+      "looked", po::value<double>()->default_value(core::ExplorerOptions{}.looked_around),
+      "where the robot was, nothing so near is a frontier [m]")(
       "gain", po::value<double>()->default_value(core::ExplorerOptions{}.gain),
       "way that a square metre that opens is worth [m]")(
       "constancy", po::value<double>()->default_value(core::ExplorerOptions{}.constancy),

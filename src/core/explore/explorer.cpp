@@ -9,8 +9,6 @@ namespace {
 
 constexpr double kAtHome = 0.5;         // so near to where it began the robot is home [m]
 constexpr double kSameTarget = 1.0;     // a frontier that moved no further is the same one [m]
-constexpr double kLookedAround = 0.9;   // where the robot was, nothing so near opens any more [m]
-constexpr double kNearTarget = 0.9;     // it need not stand right on a frontier to look beyond [m]
 constexpr double kBarrier = 0.3;        // radius of what bars the way [m]
 constexpr double kBarrierAhead = 0.55;  // from the robot's middle to the middle of that [m]
 // Times that it is tried whether a barrier is gone.
@@ -35,15 +33,23 @@ void Explorer::remember(const Moment& now) {
   sure_.push_back({now.robot, now.way});
 }
 
+// What is unknown beside the way once the robot is past it stays so.
+void Explorer::lookAround(const Moment& now) {
+  if (looks_ && between(*looks_, now.robot) < options_.past) return;
+  if (looks_) looked_at_.push_back({looks_->x, looks_->y, options_.looked_around});
+  looks_ = now.robot;
+}
+
 std::vector<MapDisc> Explorer::barred() const {
   std::vector<MapDisc> discs;
   for (const Barrier& barrier : barriers_) discs.push_back(barrier.disc);
   return discs;
 }
 
-void Explorer::decide(const FusedCells& map, const Moment& now) {
+void Explorer::decide(const SurveyedCells& map, const Moment& now) {
   if (isOver()) return;
   remember(now);
+  lookAround(now);
   if (options_.most_distance > 0.0 && now.way >= options_.most_distance && !returns_) {
     returns_ = true;
     at_home_ = Outcome::kBoundReached;
@@ -141,7 +147,7 @@ bool Explorer::goHome(const FreeSpace& space, const GridWays& ways, const Moment
 void Explorer::arrived(const Moment& now) {
   if (!task_) return;
   if (task_->aim == Aim::kFrontier)
-    looked_at_.push_back({task_->target.x, task_->target.y, kLookedAround});
+    looked_at_.push_back({task_->target.x, task_->target.y, options_.looked_around});
   if (task_->aim == Aim::kLoop) no_loop_before_ = now.way + kLoopPause;
   task_.reset();
 }
@@ -153,8 +159,8 @@ void Explorer::blocked(const Moment& now, const Pose2d& spot, const std::string&
   const Pose2d at{now.robot.x + share * (spot.x - now.robot.x),
                   now.robot.y + share * (spot.y - now.robot.y), 0.0};
   if (task_ && task_->aim == Aim::kLoop) no_loop_before_ = now.way + kLoopPause;
-  const bool was_there =
-      task_ && task_->aim == Aim::kFrontier && between(now.robot, task_->target) <= kNearTarget;
+  const bool was_there = task_ && task_->aim == Aim::kFrontier &&
+                         between(now.robot, task_->target) <= options_.near_target;
   if (was_there) return arrived(now);
   task_.reset();
   for (Barrier& barrier : barriers_) {
@@ -181,7 +187,7 @@ std::string Explorer::whyLeft(const Pose2d& spot, const GridWays& anyhow,
   return "what leads there is too narrow for the robot";
 }
 
-void Explorer::listLeft(const FusedCells& map, const FreeSpace& space, const GridWays& ways,
+void Explorer::listLeft(const SurveyedCells& map, const FreeSpace& space, const GridWays& ways,
                         const Moment& now) {
   left_.clear();
   if (at_home_ == Outcome::kBoundReached) {

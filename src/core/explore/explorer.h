@@ -9,7 +9,7 @@
 #include "core/explore/free_space.h"
 #include "core/explore/frontiers.h"
 #include "core/explore/grid_ways.h"
-#include "core/mapping/fused_map.h"
+#include "core/explore/surveyed_map.h"
 #include "place_memory/core/pose2d.h"
 
 namespace place_memory::core {
@@ -19,6 +19,9 @@ struct ExplorerOptions {
   FrontierOptions frontiers;
   double most_distance = 0.0;  ///< drives no further before it goes home [m]; 0: no bound
   bool stay = false;           ///< ends where it is when it is done; false: goes home
+  double looked_around = 1.0;  ///< where it was, nothing so near opens any more [m]
+  double past = 1.0;           ///< once it is so far away [m]
+  double near_target = 1.5;    ///< need not get nearer to a frontier where something bars it [m]
   double gain = 0.3;           ///< a square metre that opens is worth so much way [m]
   double constancy = 1.5;      ///< another frontier must be nearer by so much way [m]
   double doubt = 0.6;          ///< from so much uncertainty on a loop is closed first [m]
@@ -64,7 +67,7 @@ class Explorer {
   Explorer(const ExplorerOptions& options, const Pose2d& home) : options_(options), home_(home) {}
 
   /// Decides anew: a task is there, or it is over.
-  void decide(const FusedCells& map, const Moment& now);
+  void decide(const SurveyedCells& map, const Moment& now);
 
   const std::optional<Task>& task() const { return task_; }
   /// The robot stands at the task's target. To be followed by decide().
@@ -96,13 +99,14 @@ class Explorer {
   };
 
   void remember(const Moment& now);
+  void lookAround(const Moment& now);
   std::vector<MapDisc> barred() const;
   bool chooseFrontier(const FreeSpace& space, const GridWays& ways,
                       const std::vector<Frontier>& frontiers, const Moment& now);
   bool chooseLoop(const FreeSpace& space, const GridWays& ways, const Moment& now);
   bool liftBarriers(int most);
   bool goHome(const FreeSpace& space, const GridWays& ways, const Moment& now);
-  void listLeft(const FusedCells& map, const FreeSpace& space, const GridWays& ways,
+  void listLeft(const SurveyedCells& map, const FreeSpace& space, const GridWays& ways,
                 const Moment& now);
   std::string whyLeft(const Pose2d& spot, const GridWays& anyhow, FreeSpace::Cell cell) const;
   void take(Aim aim, const FreeSpace& space, const GridWays& ways, FreeSpace::Cell cell);
@@ -117,6 +121,7 @@ class Explorer {
   std::size_t reachable_ = 0;
   std::vector<Left> left_;
   std::vector<MapDisc> looked_at_;
+  std::optional<Pose2d> looks_;  ///< from where it looks now
   std::vector<Barrier> barriers_;
   std::vector<SureSpot> sure_;
   double no_loop_before_ = 0.0;  ///< way [m]

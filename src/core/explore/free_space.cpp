@@ -20,22 +20,26 @@ void forEachCellIn(const FreeSpace& space, const MapDisc& disc, const Visit& vis
 
 }  // namespace
 
-FreeSpace::FreeSpace(const FreeSpaceOptions& options, const FusedCells& cells, const Pose2d& robot,
-                     const std::vector<MapDisc>& barriers)
-    : columns_(cells.columns),
-      rows_(cells.rows),
-      resolution_(cells.resolution),
-      left_(cells.left),
-      bottom_(cells.bottom),
-      states_(cells.evidence.size(), State::kUnknown),
-      barred_(cells.evidence.size(), 0),
-      passable_(cells.evidence.size(), 0) {
+FreeSpace::FreeSpace(const FreeSpaceOptions& options, const SurveyedCells& survey,
+                     const Pose2d& robot, const std::vector<MapDisc>& barriers)
+    : columns_(survey.cells.columns),
+      rows_(survey.cells.rows),
+      resolution_(survey.cells.resolution),
+      left_(survey.cells.left),
+      bottom_(survey.cells.bottom),
+      states_(survey.cells.evidence.size(), State::kUnknown),
+      barred_(survey.cells.evidence.size(), 0),
+      passable_(survey.cells.evidence.size(), 0) {
+  const std::vector<std::int8_t>& evidence = survey.cells.evidence;
   for (Cell cell = 0; cell < states_.size(); ++cell) {
-    if (cells.evidence[cell] >= options.occupied) states_[cell] = State::kOccupied;
-    if (cells.evidence[cell] <= options.empty) states_[cell] = State::kEmpty;
+    if (evidence[cell] >= options.occupied) states_[cell] = State::kOccupied;
+    if (evidence[cell] <= options.empty) states_[cell] = State::kEmpty;
   }
-  const MapDisc stands{robot.x, robot.y, options.stands};
-  forEachCellIn(*this, stands, [&](Cell cell) { states_[cell] = State::kEmpty; });
+  std::vector<MapDisc> driven{{robot.x, robot.y, options.stands}};
+  for (const Pose2d& spot : survey.trail) driven.push_back({spot.x, spot.y, options.trail});
+  for (const MapDisc& disc : driven) {
+    forEachCellIn(*this, disc, [&](Cell cell) { states_[cell] = State::kEmpty; });
+  }
   for (const MapDisc& barrier : barriers) {
     forEachCellIn(*this, barrier, [&](Cell cell) { barred_[cell] = 1; });
   }
@@ -43,7 +47,12 @@ FreeSpace::FreeSpace(const FreeSpaceOptions& options, const FusedCells& cells, c
   for (Cell cell = 0; cell < states_.size(); ++cell) {
     passable_[cell] = states_[cell] == State::kEmpty && clearances_[cell] > options.radius ? 1 : 0;
   }
-  forEachCellIn(*this, stands, [&](Cell cell) { passable_[cell] = 1; });
+  for (const MapDisc& disc : driven) {
+    const bool is_robot = &disc == &driven.front();
+    forEachCellIn(*this, disc, [&](Cell cell) {
+      if (is_robot || barred_[cell] == 0) passable_[cell] = 1;
+    });
+  }
 }
 
 // Distances along rows, columns and diagonals (Borgefors 1986, chamfer distance): 8 % off at most.

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/mapping/fused_map.h"
+#include "core/explore/surveyed_map.h"
 #include "place_memory/core/pose2d.h"
 
 namespace place_memory::core {
@@ -26,6 +26,7 @@ struct FreeSpaceOptions {
   double wide_berth = 0.6;  ///< it keeps so far from things where there is room [m]
   /// What the robot stands on is free, whatever the map says, so far around its middle [m].
   double stands = 0.35;
+  double trail = 0.15;  ///< likewise, to each side of where it drove [m]
 };
 
 /// Where on the building's map a robot has room.
@@ -34,8 +35,9 @@ class FreeSpace {
   using Cell = std::size_t;
   enum class State : std::uint8_t { kUnknown, kEmpty, kOccupied };
 
-  /// `barriers` are not to be driven through, whatever the map says.
-  FreeSpace(const FreeSpaceOptions& options, const FusedCells& cells, const Pose2d& robot,
+  /// Where the robot was, along `trail`, it can go again, however narrow it looks; `barriers` are
+  /// not to be driven through, whatever the map says.
+  FreeSpace(const FreeSpaceOptions& options, const SurveyedCells& survey, const Pose2d& robot,
             const std::vector<MapDisc>& barriers);
 
   std::size_t size() const { return states_.size(); }

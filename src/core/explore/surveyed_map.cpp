@@ -158,11 +158,15 @@ void SurveyedMap::anchor(const Pose2d& map_from_odom) {
   for (const Anchored& station : stations_) layWalls(station);
 }
 
-FusedCells SurveyedMap::cells(const Pose2d& map_from_odom) {
+SurveyedCells SurveyedMap::cells(const Pose2d& map_from_odom) {
   if (!newest_.empty()) layNewest(map_from_odom);
   anchor(map_from_odom);
   fused_.update();
-  FusedCells cells = fused_.cells();
+  SurveyedCells survey{fused_.cells(), {}};
+  for (const Anchored& station : stations_) {
+    survey.trail.push_back(placePose(station.place) * station.place_from_base);
+  }
+  FusedCells& cells = survey.cells;
   std::size_t at = 0;
   for (int row = 0; row < cells.rows; ++row) {
     for (int column = 0; column < cells.columns; ++column, ++at) {
@@ -171,7 +175,7 @@ FusedCells SurveyedMap::cells(const Pose2d& map_from_odom) {
       if (walls_.isWall(x, y)) cells.evidence[at] = EvidenceGrid::kLimit;
     }
   }
-  return cells;
+  return survey;
 }
 
 }  // namespace place_memory::core

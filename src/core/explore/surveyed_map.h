@@ -13,6 +13,11 @@
 
 namespace place_memory::core {
 
+struct SurveyedCells {
+  FusedCells cells;           ///< walls have the highest evidence
+  std::vector<Pose2d> trail;  ///< where the robot was, in the map
+};
+
 /// What a robot that explores knows of the building: the map that places make, what it has sensed
 /// just now, of which no place is made yet, and the walls that it heard head on.
 ///
@@ -33,8 +38,8 @@ class SurveyedMap {
   /// Odometry starts anew: what was heard last lies elsewhere.
   void restart();
 
-  /// With odometry's frame as it lies in the map now. Walls are cells of the highest evidence.
-  FusedCells cells(const Pose2d& map_from_odom);
+  /// With odometry's frame as it lies in the map now.
+  SurveyedCells cells(const Pose2d& map_from_odom);
 
  private:
   /// Readings from one spot.
