@@ -66,7 +66,13 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
                   }),
       map_frame_broadcaster_(
           names_, [this] { return mapFromOdom(); }, parameters_),
-      scan_server_(names_, private_names_, parameters_, buffer_, transforms_, scanCallbacks()),
+      drive_lease_(names_),
+      echoes_(buffer_, parameters_.base_frame),
+      robot_finder_(parameters_, buffer_, *memory_, driver_),
+      go_server_(names_, private_names_,
+                 {*memory_, driver_, {parameters_, drive_lease_, echoes_, robot_finder_}}),
+      scan_server_(names_, private_names_, parameters_, drive_lease_, buffer_, transforms_,
+                   scanCallbacks()),
       live_parameters_(withQueue(private_names_, queue_), parameters_,
                        [this](const config::Parameters& now) {
                          memory_->setOptions(now.match.recognizer, now.places);
@@ -140,7 +146,10 @@ void PlaceMemoryNode::onDiagnosticsTimer() {
   }
 }
 
-void PlaceMemoryNode::stop() { scan_server_.stop(); }
+void PlaceMemoryNode::stop() {
+  go_server_.stop();
+  scan_server_.stop();
+}
 
 std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
   core::PlaceMemoryOptions options = config::memoryOptions(parameters_);
@@ -164,8 +173,14 @@ ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
     scans_.add(std::move(scan));
   };
   callbacks.partial = [this](const core::Scan& scan) { publishScan(scan); };
-  callbacks.time_jump = [this] { dropScans(); };
-  callbacks.taken = [this](const Taken& taken) { driver_.input().take(taken); };
+  callbacks.time_jump = [this] {
+    dropScans();
+    go_server_.onTimeJump();
+  };
+  callbacks.taken = [this](const Taken& taken) {
+    driver_.input().take(taken);
+    echoes_.take(taken);
+  };
   return callbacks;
 }
 

@@ -81,7 +81,10 @@ const std::map<std::string, Parts> kMayUse{
     {"node/answer", {"node"}},
     {"node/map", {"node"}},
     {"node/drive", {"node/scan"}},
-    {"node", {"config", "ros", "node/input", "node/scan", "node/answer", "node/map", "node/drive"}},
+    {"node/go", {"node/drive"}},
+    {"node",
+     {"config", "ros", "node/input", "node/scan", "node/answer", "node/map", "node/drive",
+      "node/go"}},
 
     {"picture", {"core/memory", "boost"}},
     {"tools", {"config", "picture", "ros", "node/input", "node/scan", "node/drive"}},

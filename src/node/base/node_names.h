@@ -8,9 +8,11 @@ namespace place_memory::node {
 // Relative.
 constexpr char kCommandTopic[] = "cmd_vel";
 constexpr char kInitialPoseTopic[] = "initialpose";
+constexpr char kMoveBaseName[] = "move_base";
 
 // Private: below the node's own name.
 constexpr char kScanAction[] = "scan";
+constexpr char kGoToPlaceAction[] = "go_to_place";
 
 constexpr char kScanGridTopic[] = "scan_grid";
 constexpr char kMatchedGridTopic[] = "matched_grid";

@@ -1,6 +1,5 @@
 #include "node/scan/scan_server.h"
 
-#include <geometry_msgs/Twist.h>
 #include <ros/console.h>
 
 #include <algorithm>
@@ -34,9 +33,10 @@ std::string whoSaysTheTime() {
 }  // namespace
 
 ScanServer::ScanServer(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
-                       const config::Parameters& parameters, tf2::BufferCore& buffer,
-                       TransformInput& transforms, Callbacks callbacks)
+                       const config::Parameters& parameters, DriveLease& lease,
+                       tf2::BufferCore& buffer, TransformInput& transforms, Callbacks callbacks)
     : parameters_(parameters),
+      lease_(lease),
       buffer_(buffer),
       transforms_(transforms),
       callbacks_(std::move(callbacks)),
@@ -51,8 +51,7 @@ ScanServer::ScanServer(const ros::NodeHandle& names, const ros::NodeHandle& priv
       private_names_(private_names) {
   names_.setCallbackQueue(&queue_);
   private_names_.setCallbackQueue(&queue_);
-  command_publisher_ = names_.advertise<geometry_msgs::Twist>(kCommandTopic, 1);
-  server_ = std::make_unique<ScanActionServer>(
+  server_ = std::make_unique<ActionServer>(
       ros::NodeHandle(private_names_, kScanAction),
       [this](const GoalHandle& goal) { onGoal(goal); },
       [this](const GoalHandle& goal) { onCancel(goal); });
@@ -137,13 +136,26 @@ void ScanServer::onGoal(const GoalHandle& goal) {
     accepted.setRejected(result, problem);
     return;
   }
+  std::unique_ptr<DriveLease::Hold> hold;
+  if (request->turn == config::Turn::kCmdVel) {
+    hold = hold_ ? std::move(hold_) : lease_.take("a scan that turns the robot", problem);
+    if (!hold) {
+      ScanPlaceResult result;
+      result.status = ScanPlaceResult::BUSY;
+      result.message = problem;
+      accepted.setRejected(result, problem);
+      return;
+    }
+    hold->stop();
+  }
   const std::chrono::nanoseconds now = rosNow();
   if (sweep_) fail(ScanStatus::kCanceled, "a newer goal came", now);
+  hold_ = std::move(hold);
   goal_ = accepted;
   goal_.setAccepted();
   timeRanBackwards(now);
   clock_.restart(steadyNow());
-  sweep_.emplace(*request, parameters_, collector_, names_.resolveName(kCommandTopic));
+  sweep_.emplace(*request, parameters_, collector_, lease_.topic());
 }
 
 void ScanServer::onCancel(const GoalHandle& goal) {
@@ -186,7 +198,7 @@ void ScanServer::advance(std::chrono::nanoseconds now) {
     return;
   }
   const Sweep::Step step = sweep_->update(now);
-  if (step.rate) command(*step.rate);
+  if (step.rate && hold_) hold_->drive(0.0, *step.rate);
   if (step.outcome) end(*step.outcome, now);
 }
 
@@ -238,8 +250,7 @@ void ScanServer::fail(ScanStatus status, const std::string& message, std::chrono
 }
 
 void ScanServer::end(const ScanOutcome& outcome, std::chrono::nanoseconds now) {
-  if (moving_) command(0.0);
-  moving_ = false;
+  hold_.reset();
 
   ScanPlaceResult result;
   result.status = static_cast<std::uint8_t>(outcome.status);
@@ -267,13 +278,6 @@ void ScanServer::end(const ScanOutcome& outcome, std::chrono::nanoseconds now) {
   } else {
     goal_.setAborted(result, result.message);
   }
-}
-
-void ScanServer::command(double rate) {
-  moving_ = true;
-  geometry_msgs::Twist twist;
-  twist.angular.z = rate;
-  command_publisher_.publish(twist);
 }
 
 }  // namespace place_memory::node
