@@ -42,7 +42,9 @@ void Explorer::lookAround(const Moment& now) {
 
 std::vector<MapDisc> Explorer::barred() const {
   std::vector<MapDisc> discs;
-  for (const Barrier& barrier : barriers_) discs.push_back(barrier.disc);
+  for (const Barrier& barrier : barriers_) {
+    if (barrier.disc.radius > 0.0) discs.push_back(barrier.disc);
+  }
   return discs;
 }
 

@@ -19,7 +19,7 @@ struct ExplorerOptions {
   FrontierOptions frontiers;
   double most_distance = 0.0;  ///< drives no further before it goes home [m]; 0: no bound
   bool stay = false;           ///< ends where it is when it is done; false: goes home
-  double looked_around = 1.0;  ///< where it was, nothing so near opens any more [m]
+  double looked_around = 0.6;  ///< where it was, nothing so near opens any more [m]
   double past = 1.0;           ///< once it is so far away [m]
   double near_target = 1.5;    ///< need not get nearer to a frontier where something bars it [m]
   double gain = 0.3;           ///< a square metre that opens is worth so much way [m]
@@ -88,7 +88,7 @@ class Explorer {
 
  private:
   struct Barrier {
-    MapDisc disc;
+    MapDisc disc;  ///< of radius 0 while it is taken to be gone
     std::string why;
     int lifted = 0;  ///< times that it was tried whether it is gone
   };

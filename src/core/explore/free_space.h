@@ -20,9 +20,10 @@ struct MapDisc {
 };
 
 struct FreeSpaceOptions {
-  int occupied = 10;        ///< evidence from which a cell is occupied
-  int empty = -6;           ///< up to which it is empty; between the two it is unknown
-  double radius = 0.2;      ///< nothing may be nearer to the robot's middle [m]
+  int occupied = 10;  ///< evidence from which a cell is occupied
+  int empty = -6;     ///< up to which it is empty; between the two it is unknown
+  /// Nothing may be nearer to the robot's middle [m]; on the map things are thicker than they are.
+  double radius = 0.15;
   double wide_berth = 0.6;  ///< it keeps so far from things where there is room [m]
   /// What the robot stands on is free, whatever the map says, so far around its middle [m].
   double stands = 0.35;

@@ -16,8 +16,8 @@ struct Frontier {
 };
 
 struct FrontierOptions {
-  double least_width = 0.6;  ///< narrower ones lead nowhere for a robot [m]
-  double least_opens = 1.0;  ///< what shows less is a nook [m^2]
+  double least_width = 0.5;  ///< narrower ones lead nowhere for a robot [m]
+  double least_opens = 0.6;  ///< what shows less is a nook [m^2]
   double widest = 3.0;       ///< wider ones are cut in pieces [m]
 };
 
