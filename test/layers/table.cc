@@ -62,7 +62,8 @@ const std::map<std::string, Parts> kMayUse{
     {"core/route", {"core/map"}},
     {"core/drive", {"core/route", "core/sensing"}},
     {"core/store", {"core/map", "core/grid"}},
-    {"core/memory", {"core/drive", "core/mapping", "core/route", "core/store"}},
+    {"core/explore", {"core/mapping"}},
+    {"core/memory", {"core/drive", "core/explore", "core/route", "core/store"}},
 
     {"config", {"core/memory", "yaml-cpp"}},
 
