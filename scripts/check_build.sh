@@ -1,7 +1,8 @@
 # Sourced by what builds with sanitizers, after environment.sh: each build in a folder of its own below
-# CHECK_DIR, build/check in the package by default. Warnings are errors.
+# CHECK_DIR, by default one of the package's name among the temporary files: in the package's build
+# folder rosrun, which tests call, looks for nothing. Warnings are errors.
 # shellcheck shell=bash
-dir=${CHECK_DIR:-$root/build/check}
+dir=${CHECK_DIR:-${TMPDIR:-/tmp}/place_memory_check}
 suppressions=$root/test/sanitizers
 readonly dir suppressions
 

@@ -175,7 +175,8 @@ def run(options):
         with contextlib.suppress(FileNotFoundError):
             os.remove(os.path.join(options.out, name))
     share = rospkg.RosPack().get_path("place_memory")
-    port = str(urllib.parse.urlparse(os.environ["ROS_MASTER_URI"]).port)
+    master = os.environ.setdefault("ROS_MASTER_URI", "http://localhost:11311")
+    port = str(urllib.parse.urlparse(master).port)
     launch = ["roslaunch", "-p", port, "place_memory", "demo.launch", f"speed:={options.speed}",
               f"seed:={options.seed}"]
     if master_answers():

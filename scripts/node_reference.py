@@ -5,7 +5,7 @@ messages.
 usage: node_reference.py [--check]
 
 With --check nothing is written: status 1, and what to do, where the page is not what the code says,
-or leaves out a topic, service or action of src/node/base/node_names.h.
+or leaves out a topic, service or action of src/node/names/node_names.h.
 """
 
 import os
@@ -17,7 +17,7 @@ import insert_tables
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 PAGE = os.path.join(ROOT, "doc", "node.md")
-NAMES = os.path.join(ROOT, "src", "node", "base", "node_names.h")
+NAMES = os.path.join(ROOT, "src", "node", "names", "node_names.h")
 PARAMETERS = os.path.join(ROOT, "config", "place_memory.yaml")
 NAME = re.compile(r'constexpr char k\w+?(Topic|Service|Action)\[\] = "([\w/]+)";')
 PARAMETER = re.compile(r"^(?P<indent> *)(?P<name>\w+):(?P<value>[^#]*?) *(?:# ?(?P<words>.*))?$")

@@ -14,10 +14,6 @@ constexpr double kNearest = 4.0;     // places about to judge by [m]
 constexpr double kAstray = 1.0;      // [m]
 constexpr double kAstrayTurn = 0.5;  // [rad]
 
-std::chrono::nanoseconds stampOf(double t) {
-  return std::chrono::nanoseconds(std::llround(t * 1e9));
-}
-
 double distance(const core::Pose2d& a, const core::Pose2d& b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
@@ -61,49 +57,49 @@ std::optional<core::Pose2d> Truth::at(std::chrono::nanoseconds stamp) const {
   return found == poses_.end() ? std::nullopt : std::make_optional(found->second);
 }
 
+std::chrono::nanoseconds MappingRecorder::stampOf(const trials::DriveMoment& moment) const {
+  return std::chrono::nanoseconds(std::llround((start_ + moment.t) * 1e9));
+}
+
+void MappingRecorder::feed(const trials::DriveMoment& moment) {
+  MomentRecord now;
+  now.stamp = stampOf(moment);
+  now.odom = moment.odom;
+  now.truth = *moment.truth;
+  if (!run_.moments.empty()) {
+    const MomentRecord& before = run_.moments.back();
+    now.way = before.way + distance(now.odom, before.odom);
+    now.carried = distance(now.truth, before.truth) > kCarried;
+  }
+  truth_.add(now);
+  const std::clock_t begin = std::clock();
+  if (compass_ && moment.heading) mapper_.addHeading(now.stamp, *moment.heading);
+  mapper_.addOdometry(now.stamp, moment.odom);
+  for (const core::SonarReading& reading : moment.readings) {
+    mapper_.addReading(now.stamp, moment.odom, reading);
+  }
+  const std::vector<core::ScanDecision> decisions = mapper_.takeDecisions();
+  if (const auto map_from_odom = mapper_.mapFromOdom()) now.online = *map_from_odom * moment.odom;
+  run_.cpu += static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  run_.moments.push_back(now);
+  for (const core::ScanDecision& decision : decisions) {
+    DecisionRecord record;
+    record.decision = decision;
+    record.moment = run_.moments.size() - 1;
+    const core::ScanNode& node = mapper_.graph().nodes().back();
+    record.first_way = now.way - (node.last_way - node.first_way);
+    record.last_way = now.way;
+    record.astray = astray(mapper_, now, truth_);
+    run_.decisions.push_back(record);
+  }
+}
+
 MappingRun drive(core::Mapper& mapper, const trials::Drive& drive, const DrivePart& part,
                  Truth& truth) {
-  MappingRun run;
+  MappingRecorder recorder(mapper, truth, part.compass, part.start);
   const std::size_t last = std::min(part.last, drive.size());
-  double way = 0.0;
-  MappingRun known;  // of which the truth knows already
-  std::clock_t used = 0;
-  for (std::size_t i = part.first; i < last; ++i) {
-    const trials::DriveMoment& moment = drive[i];
-    MomentRecord now;
-    now.stamp = stampOf(part.start + moment.t);
-    now.odom = moment.odom;
-    now.truth = *moment.truth;
-    if (i > part.first) {
-      way += distance(moment.odom, drive[i - 1].odom);
-      now.carried = distance(*moment.truth, *drive[i - 1].truth) > kCarried;
-    }
-    now.way = way;
-    known.moments.assign(1, now);
-    truth.add(known);
-    const std::clock_t begin = std::clock();
-    if (part.compass && moment.heading) mapper.addHeading(now.stamp, *moment.heading);
-    mapper.addOdometry(now.stamp, moment.odom);
-    for (const core::SonarReading& reading : moment.readings) {
-      mapper.addReading(now.stamp, moment.odom, reading);
-    }
-    const std::vector<core::ScanDecision> decisions = mapper.takeDecisions();
-    if (const auto map_from_odom = mapper.mapFromOdom()) now.online = *map_from_odom * moment.odom;
-    used += std::clock() - begin;
-    run.moments.push_back(now);
-    for (const core::ScanDecision& decision : decisions) {
-      DecisionRecord record;
-      record.decision = decision;
-      record.moment = run.moments.size() - 1;
-      const core::ScanNode& node = mapper.graph().nodes().back();
-      record.first_way = way - (node.last_way - node.first_way);
-      record.last_way = way;
-      record.astray = astray(mapper, now, truth);
-      run.decisions.push_back(record);
-    }
-  }
-  run.cpu = static_cast<double>(used) / CLOCKS_PER_SEC;
-  return run;
+  for (std::size_t i = part.first; i < last; ++i) recorder.feed(drive[i]);
+  return recorder.run();
 }
 
 }  // namespace place_memory::mapping

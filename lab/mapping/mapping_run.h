@@ -59,11 +59,32 @@ struct MappingRun {
 class Truth {
  public:
   void add(const MappingRun& run);
+  void add(const MomentRecord& moment) { poses_[moment.stamp] = moment.truth; }
   /// At a stamp that is a moment's; nothing otherwise.
   std::optional<core::Pose2d> at(std::chrono::nanoseconds stamp) const;
 
  private:
   std::map<std::chrono::nanoseconds, core::Pose2d> poses_;
+};
+
+/// Feeds a mapper moment by moment, and writes down what it makes of them.
+class MappingRecorder {
+ public:
+  /// Both must outlive it. `truth`: of what made the mapper's map before; this run's is added.
+  MappingRecorder(core::Mapper& mapper, Truth& truth, bool compass, double start)
+      : mapper_(mapper), truth_(truth), compass_(compass), start_(start) {}
+
+  /// The moment knows its truth.
+  void feed(const trials::DriveMoment& moment);
+  std::chrono::nanoseconds stampOf(const trials::DriveMoment& moment) const;
+  const MappingRun& run() const { return run_; }
+
+ private:
+  core::Mapper& mapper_;
+  Truth& truth_;
+  const bool compass_;
+  const double start_;  ///< stamp of the drive's time 0 [s]
+  MappingRun run_;
 };
 
 /// Feeds a part of a drive, all of which knows its truth. `truth`: of what made the mapper's map;

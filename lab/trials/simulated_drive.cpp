@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include "sim/scene/crowd.h"
-#include "sim/scene/scene.h"
 #include "sim/scene/world_changes.h"
-#include "sim/senses/compass_field.h"
 #include "sim/senses/sonar_physics.h"
-#include "sim/world/random.h"
 
 namespace place_memory::trials {
 namespace {
 
-constexpr double kBaseRadius = 0.22;  // [m]
-constexpr double kThere = 0.15;       // so near to a place it goes on to the next [m]
-constexpr double kTurnRate = 0.6;     // [rad/s]
-constexpr double kFar = 4.0;          // so far it is carried at least [m]
+constexpr double kThere = 0.15;    // so near to a place it goes on to the next [m]
+constexpr double kTurnRate = 0.6;  // [rad/s]
+constexpr double kFar = 4.0;       // so far it is carried at least [m]
 
 /// Where the robot goes next: where it has been least.
 class Wanderer {
@@ -96,49 +90,81 @@ void change(sim::World& world, const core::Pose2d& base, sim::Rng& rng) {
   world.places.pop_back();
 }
 
-/// Odometry that errs by the recipe.
-class Wheels {
- public:
-  Wheels(const DriveRecipe& recipe, sim::Rng& rng)
-      : noise_(recipe.yaw_noise),
-        scale_(1.0 + recipe.scale_sigma * sim::normal(rng)),
-        turn_(1.0 + recipe.turn_factor_sigma * sim::normal(rng)),
-        bend_(recipe.bend_sigma * sim::normal(rng)) {}
-
-  void move(double forward, double turn, sim::Rng& rng) {
-    const double believed =
-        turn * turn_ + bend_ * forward + noise_ * std::sqrt(std::abs(forward)) * sim::normal(rng);
-    const core::Pose2d half{0.0, 0.0, 0.5 * believed};
-    pose_ = pose_ * half * core::Pose2d{forward * scale_, 0.0, 0.0} * half;
-  }
-  const core::Pose2d& pose() const { return pose_; }
-
- private:
-  double noise_, scale_, turn_, bend_;
-  core::Pose2d pose_;
-};
+sim::Rng seeded(std::uint64_t seed) {
+  std::seed_seq sequence{seed, seed >> 32U, std::uint64_t{0xd21e}};
+  return sim::Rng(sequence);
+}
 
 }  // namespace
 
+Wheels::Wheels(const DriveRecipe& recipe, sim::Rng& rng)
+    : noise_(recipe.yaw_noise),
+      scale_(1.0 + recipe.scale_sigma * sim::normal(rng)),
+      turn_(1.0 + recipe.turn_factor_sigma * sim::normal(rng)),
+      bend_(recipe.bend_sigma * sim::normal(rng)) {}
+
+void Wheels::move(double forward, double turn, sim::Rng& rng) {
+  const double believed =
+      turn * turn_ + bend_ * forward + noise_ * std::sqrt(std::abs(forward)) * sim::normal(rng);
+  const core::Pose2d half{0.0, 0.0, 0.5 * believed};
+  pose_ = pose_ * half * core::Pose2d{forward * scale_, 0.0, 0.0} * half;
+}
+
+DriveSimulator::DriveSimulator(const sim::World& world, const sim::SimulatedRobot& robot,
+                               const DriveRecipe& recipe, std::uint64_t seed)
+    : robot_(robot),
+      recipe_(recipe),
+      rng_(seeded(seed)),
+      scene_(std::make_unique<sim::Scene>(world)),
+      crowd_(sim::Crowd::spread(world, recipe.people, rng_)),
+      compass_(std::max(recipe.compass_sigma, 0.0), seed),
+      wheels_(recipe, rng_),
+      base_{world.places[recipe.start].position.x, world.places[recipe.start].position.y, 0.0},
+      sonars_(recipe.sonars) {
+  for (int i = 0; recipe.sonars.empty() && i < robot.ring.count; ++i) sonars_.push_back(i);
+}
+
+DriveSimulator::Step DriveSimulator::step(double forward, double turn) {
+  Step step;
+  const core::Pose2d moved =
+      base_ * core::Pose2d{0.0, 0.0, 0.5 * turn} * core::Pose2d{forward, 0.0, 0.5 * turn};
+  step.is_blocked = forward != 0.0 && !scene_->isFree({moved.x, moved.y}, kBaseRadius) &&
+                    scene_->isFree({base_.x, base_.y}, kBaseRadius);
+  if (!step.is_blocked) {
+    base_ = moved;
+    step.forward = forward;
+  }
+  wheels_.move(step.forward, step.is_blocked ? 0.0 : turn, rng_);
+  t_ += recipe_.tick;
+  crowd_.step(recipe_.tick, {base_.x, base_.y}, rng_);
+
+  DriveMoment& moment = step.moment;
+  moment.t = t_;
+  moment.odom = wheels_.pose();
+  moment.truth = base_;
+  if (recipe_.compass_sigma >= 0.0) {
+    moment.heading = core::wrapAngle(base_.yaw + compass_.errorAt({base_.x, base_.y}) +
+                                     recipe_.compass_noise * sim::normal(rng_));
+  }
+  const auto round = static_cast<std::size_t>(recipe_.round);
+  for (std::size_t i = next_; i < sonars_.size(); i += round) {
+    const core::Pose2d sensor = sim::sensorPose(robot_.ring, sonars_[i]);
+    const double range = sim::pingSonar(*scene_, crowd_.circles(), base_ * sensor, robot_.ring.spec,
+                                        robot_.physics, rng_);
+    if (range < robot_.ring.spec.min_range) continue;
+    moment.readings.push_back({sensor, robot_.ring.spec, range});
+  }
+  next_ = (next_ + 1) % round;
+  return step;
+}
+
 Drive simulateDrive(const sim::World& world, const sim::SimulatedRobot& robot,
                     const DriveRecipe& recipe, std::uint64_t seed) {
-  std::seed_seq sequence{seed, seed >> 32U, std::uint64_t{0xd21e}};
-  sim::Rng rng(sequence);
-  sim::World now = world;
-  auto scene = std::make_unique<sim::Scene>(now);
-  sim::Crowd crowd = sim::Crowd::spread(now, recipe.people, rng);
-  const sim::CompassField compass(std::max(recipe.compass_sigma, 0.0), seed);
+  DriveSimulator simulator(world, robot, recipe, seed);
+  sim::Rng& rng = simulator.rng();
   Wanderer wanderer(world, recipe.start);
-  Wheels wheels(recipe, rng);
-  std::vector<int> sonars = recipe.sonars;
-  for (int i = 0; sonars.empty() || (recipe.sonars.empty() && i < robot.ring.count); ++i) {
-    sonars.push_back(i);
-  }
-  const sim::Vec2 start = world.places[recipe.start].position;
-  core::Pose2d base{start.x, start.y, 0.0};
   Drive drive;
   double way = 0.0, t = 0.0;
-  std::size_t next = 0;
   int blocked = 0;
   double next_change = recipe.change_every > 0.0 ? recipe.change_every : 0.5 * recipe.way;
   if (!recipe.changes) next_change = INFINITY;
@@ -146,17 +172,18 @@ Drive simulateDrive(const sim::World& world, const sim::SimulatedRobot& robot,
   while (way < recipe.way && t < 20.0 * recipe.way / recipe.speed) {
     if (way > next_change) {
       next_change = recipe.change_every > 0.0 ? next_change + recipe.change_every : INFINITY;
-      now = world;
-      change(now, base, rng);
-      scene = std::make_unique<sim::Scene>(now);
+      sim::World now = world;
+      change(now, simulator.base(), rng);
+      simulator.setWorld(now);
     }
     if (carried < recipe.carried.size() && way > recipe.carried[carried]) {
       ++carried;
-      const std::size_t to = farPlace(world, base, rng);
+      const std::size_t to = farPlace(world, simulator.base(), rng);
       const sim::Vec2& spot = world.places[to].position;
-      base = {spot.x, spot.y, core::wrapAngle(2.0 * core::kPi * sim::uniform(rng))};
+      simulator.putAt({spot.x, spot.y, core::wrapAngle(2.0 * core::kPi * sim::uniform(rng))});
       wanderer.putAt(to);
     }
+    const core::Pose2d base = simulator.base();
     const sim::Vec2 goal = world.places[wanderer.target(rng)].position;
     const double distance = std::hypot(goal.x - base.x, goal.y - base.y);
     if (distance < kThere) {
@@ -165,41 +192,15 @@ Drive simulateDrive(const sim::World& world, const sim::SimulatedRobot& robot,
     }
     const double off = core::wrapAngle(std::atan2(goal.y - base.y, goal.x - base.x) - base.yaw);
     const double turn = std::clamp(off, -kTurnRate * recipe.tick, kTurnRate * recipe.tick);
-    double forward = std::abs(off) < 0.5 ? recipe.speed * recipe.tick : 0.0;
-    const core::Pose2d moved =
-        base * core::Pose2d{0.0, 0.0, 0.5 * turn} * core::Pose2d{forward, 0.0, 0.5 * turn};
-    if (forward > 0.0 && !scene->isFree({moved.x, moved.y}, kBaseRadius) &&
-        scene->isFree({base.x, base.y}, kBaseRadius)) {
-      forward = 0.0;
-      if (++blocked > 10) {
-        blocked = 0;
-        wanderer.turnBack();
-      }
-    } else {
-      base = moved;
+    DriveSimulator::Step step =
+        simulator.step(std::abs(off) < 0.5 ? recipe.speed * recipe.tick : 0.0, turn);
+    if (step.is_blocked && ++blocked > 10) {
+      blocked = 0;
+      wanderer.turnBack();
     }
-    wheels.move(forward, forward > 0.0 || base.yaw == moved.yaw ? turn : 0.0, rng);
-    way += forward;
+    way += step.forward;
     t += recipe.tick;
-    crowd.step(recipe.tick, {base.x, base.y}, rng);
-
-    DriveMoment moment;
-    moment.t = t;
-    moment.odom = wheels.pose();
-    moment.truth = base;
-    if (recipe.compass_sigma >= 0.0) {
-      moment.heading = core::wrapAngle(base.yaw + compass.errorAt({base.x, base.y}) +
-                                       recipe.compass_noise * sim::normal(rng));
-    }
-    for (std::size_t i = next; i < sonars.size(); i += static_cast<std::size_t>(recipe.round)) {
-      const core::Pose2d sensor = sim::sensorPose(robot.ring, sonars[i]);
-      const double range = sim::pingSonar(*scene, crowd.circles(), base * sensor, robot.ring.spec,
-                                          robot.physics, rng);
-      if (range < robot.ring.spec.min_range) continue;
-      moment.readings.push_back({sensor, robot.ring.spec, range});
-    }
-    next = (next + 1) % static_cast<std::size_t>(recipe.round);
-    drive.push_back(std::move(moment));
+    drive.push_back(std::move(step.moment));
   }
   return drive;
 }

@@ -11,10 +11,11 @@ from place_memory.msg import ScanPlaceActionGoal
 from sensor_msgs.msg import Range
 from tf2_msgs.msg import TFMessage
 
-from soak_tools import robot
-from soak_tools.node import NAME
+from place_memory import srv
 
-END_OF_TIME = rospy.Time(4294967295, 0)
+from soak_tools import robot
+from soak_tools.map_clients import END_OF_TIME
+from soak_tools.node import NAME
 
 
 class Faults(threading.Thread):
@@ -37,7 +38,7 @@ class Faults(threading.Thread):
 
     def run(self):
         soft = [self.far_ahead, self.ancient, self.without_sense, self.new_frames, self.odd_ranges,
-                self.blind, self.cancel_unknown, self.impossible_goal, self.nowhere]
+                self.blind, self.cancel_unknown, self.impossible_goal, self.nowhere, self.mode_storm]
         hard = [lambda: self._node.fill_disk(3.0), lambda: self._node.pause(1.0),
                 self._node.kill_and_start]
         while not self.is_over:
@@ -98,6 +99,23 @@ class Faults(threading.Thread):
         self._goal.publish(goal)
 
     def nowhere(self):
-        message = PoseWithCovarianceStamped()
-        message.pose.pose.position.x = float("nan")
-        self._pose.publish(message)
+        for value in (float("nan"), 1e300):
+            message = PoseWithCovarianceStamped()
+            message.header.frame_id = "map"
+            message.pose.pose.orientation.w = 1.0
+            message.pose.pose.position.x = value
+            self._pose.publish(message)
+
+    def mode_storm(self):
+        """Others ask for things meanwhile."""
+        modes = ["off", "map", "localize"] * 3 + [rospy.get_param(NAME + "/mode")]
+        for mode in modes:
+            begin = time.monotonic()
+            try:
+                response = rospy.ServiceProxy(NAME + "/set_mode", srv.SetMode)(mode=mode)
+            except rospy.ServiceException as error:
+                if not self._node.is_disturbed(begin):
+                    self._watch.fail("set_mode: %s" % error)
+                return
+            if response.status == response.FAILED:
+                self._watch.fail("set_mode: " + response.message)

@@ -13,21 +13,29 @@ from roslib.packages import find_node
 NAME = "/place_memory"
 PARAMETERS = {"sonar_topics": ["sonar_%d" % i for i in range(16)], "tf_broadcast": True,
               "scan/headings": 1, "places/adapt": True, "scan/timeout": 10.0}
+LONGEST_END = 90.0  # of a node that is asked to end [s]
+DISK_TAKES = 2.0  # until the node finds that there is room again [s]
 
 
 class Node:
     """May be killed and started anew; its store stays. Thread-safe."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, mode):
         self.folder = folder
         self.starts = []  # as time.monotonic() [s]
         self.disturbed_until = 0.0  # calls may fail, and tf may pause [s]
         self.disk_full_until = 0.0
         self._lock = threading.Lock()
         self._process = None
+        self.begin_with(mode)
         rospy.set_param(NAME + "/store", os.path.join(folder, "places.db"))
         for name, value in PARAMETERS.items():
             rospy.set_param(NAME + "/" + name, value)
+
+    @staticmethod
+    def begin_with(mode):
+        """From the next start on."""
+        rospy.set_param(NAME + "/mode", mode)
 
     def start(self):
         log = open(os.path.join(self.folder, "node-%d.log" % len(self.starts)), "w")
@@ -45,8 +53,8 @@ class Node:
         """Whether it was, at any time since then."""
         return since < self.disturbed_until
 
-    def pid(self):
-        return self._process.pid
+    def disk_was_full(self, since):
+        return since < self.disk_full_until
 
     def check(self):
         """Says why it has ended by itself, or nothing."""
@@ -63,6 +71,14 @@ class Node:
         rospy.wait_for_service(NAME + "/get_graph", 60.0)
         self.disturbed_until = time.monotonic() + 3.0
 
+    def stop_and_start(self):
+        """As a person does at the keyboard, while clients ask. Returns its exit status."""
+        status = self.stop()
+        self.start()
+        rospy.wait_for_service(NAME + "/get_graph", 60.0)
+        self.disturbed_until = time.monotonic() + 3.0
+        return status
+
     def pause(self, seconds):
         self.disturb(seconds + 3.0)
         self._process.send_signal(signal.SIGSTOP)
@@ -70,7 +86,7 @@ class Node:
         self._process.send_signal(signal.SIGCONT)
 
     def fill_disk(self, seconds):
-        self.disk_full_until = time.monotonic() + seconds + 2.0
+        self.disk_full_until = time.monotonic() + seconds + DISK_TAKES
         for limit in (0, resource.RLIM_INFINITY):
             resource.prlimit(self._process.pid, resource.RLIMIT_FSIZE,
                              (limit, resource.RLIM_INFINITY))
@@ -84,7 +100,7 @@ class Node:
 
     def stop(self):
         """Returns its exit status."""
-        self.disturb(60.0)
+        self.disturb(LONGEST_END + 60.0)
         if self._process.poll() is None:
             self._process.terminate()
-        return self._process.wait(30.0)
+        return self._process.wait(LONGEST_END)

@@ -12,7 +12,7 @@ def summary(watch):
         lines.append("%-18s %8d %8.1f %8.1f %8.1f" % (
             name, len(seconds), 1e3 * quantile(seconds, 0.5), 1e3 * quantile(seconds, 0.99),
             1e3 * max(seconds)))
-    errors = [entry[1] for entry in watch.errors]
+    errors = [entry[1] for entry in watch.errors()]
     half = len(errors) // 2
     lines += [
         "",
@@ -51,8 +51,9 @@ def draw(watch, path):
     latency.set_yscale("log")
     latency.set_ylabel("answered after [ms]")
     latency.legend(fontsize=7, markerscale=4)
-    error.plot([entry[0] / 60.0 for entry in watch.errors], [entry[1] for entry in watch.errors],
-               ".", markersize=2)
+    errors = watch.errors()
+    error.plot([entry[0] / 60.0 for entry in errors], [entry[1] for entry in errors], ".",
+               markersize=2)
     error.set_yscale("log")
     error.set_ylabel("error of ~pose [m]")
     error.set_xlabel("minutes")

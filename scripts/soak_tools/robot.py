@@ -19,8 +19,7 @@ SEMI_AXES = (3.8, 2.2)  # of the way [m]
 STEPS = 360  # of the way, at which ranges are reckoned beforehand
 CYCLE = 6.0  # stands for the first half of it, and drives in the second [s]
 TURN = 0.28  # driven in a cycle [rad of the way]
-RANGE_RATE = 200.0  # of each topic [Hz]
-TICKS_BETWEEN_ODOMETRY = 4
+ODOMETRY_RATE = 50.0  # at the most [Hz]
 
 
 def angle_at(seconds):
@@ -61,9 +60,10 @@ def range_message(sensor):
     return message
 
 
-def run(start, edit):
+def run(start, edit, rate):
     """The process of the robot, until ROS ends. `start`: of its way, as time.time() [s]; `edit` may
-    hold, shared with other processes, the time until which every range is NaN."""
+    hold, shared with other processes, the time until which every range is NaN; `rate`: of each of
+    its topics [Hz]."""
     rospy.init_node("soak_robot", disable_signals=True)
     table = [[ROOM.ping(pose_on_way(2.0 * math.pi * i / STEPS), sensor)
               for sensor in range(sonar_room.SENSORS)] for i in range(STEPS)]
@@ -75,12 +75,13 @@ def run(start, edit):
     static.publish(TFMessage([transform("base_link", "sonar_%d" % i, sonar_room.sensor_pose(i),
                                         rospy.Time.now()) for i in range(sonar_room.SENSORS)]))
     messages = [range_message(i) for i in range(sonar_room.SENSORS)]
+    ticks_between_odometry = max(1, round(rate / ODOMETRY_RATE))
     tick = 0
     begin = time.monotonic()
     while not rospy.is_shutdown():
         stamp = rospy.Time.now()
         angle = angle_at(stamp.to_sec() - start)
-        if tick % TICKS_BETWEEN_ODOMETRY == 0:
+        if tick % ticks_between_odometry == 0:
             pose = pose_on_way(angle)
             tf.publish(TFMessage([transform("odom", "base_link", pose, stamp)]))
             compass = Imu()
@@ -95,4 +96,4 @@ def run(start, edit):
             message.range = math.nan if is_blind else distance
             topic.publish(message)
         tick += 1
-        time.sleep(max(0.0, begin + tick / RANGE_RATE - time.monotonic()))
+        time.sleep(max(0.0, begin + tick / rate - time.monotonic()))

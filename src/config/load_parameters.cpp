@@ -132,6 +132,14 @@ void readDrive(ParameterReader& reader, DriveOptions& drive) {
                 drive.correct);
   reader.number("drive/largest_jump", leftOpen(0.0, 100.0), drive.largest_jump);
   reader.flag("drive/initialpose", drive.initialpose);
+  reader.choice("drive/by", {{"cmd_vel", DriveBy::kCmdVel}, {"move_base", DriveBy::kMoveBase}},
+                drive.by);
+  reader.number("drive/speed", leftOpen(0.0, 3.0), drive.speed);
+  reader.number("drive/turn_rate", leftOpen(0.0, core::kPi), drive.turn_rate);
+  reader.number("drive/radius", leftOpen(0.0, 5.0), drive.radius);
+  reader.number("drive/clearance", leftOpen(0.0, 5.0), drive.clearance);
+  reader.number("drive/patience", closed(0.0, kLongest), drive.patience);
+  reader.number("drive/timeout", leftOpen(0.0, kLongest), drive.timeout);
 }
 
 Parameters readAll(ParameterReader& reader) {
@@ -165,6 +173,7 @@ Parameters readAll(ParameterReader& reader) {
   readRoutes(reader, parameters.routes);
   readDrive(reader, parameters.drive);
   reader.integer("markers/labels", closed(0, 10000), parameters.markers.labels);
+  reader.integer("markers/clickable", closed(0, 200), parameters.markers.clickable);
   return parameters;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "config/nearest_name.h"
 #include "config/yaml_value.h"
 #include "support/text.h"
 
@@ -12,45 +13,6 @@ namespace {
 
 // More than any table of parameters has; tables that name others over and over grow beyond it.
 constexpr std::size_t kMostValues = 1000;
-
-// The word of a text that was meant, by the fewest letters to change.
-std::size_t lettersToChange(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t change = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-// The known name that is most like it; empty: none is.
-std::string nearest(const std::string& name, const std::set<std::string>& known) {
-  constexpr std::size_t kMostLetters = 2;
-  // A table of a node, as `rosparam dump /` has it, holds the known names one table deeper.
-  for (const std::string& candidate : known) {
-    const std::string end = "/" + candidate;
-    if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0) {
-      return candidate;
-    }
-  }
-  std::string best;
-  std::size_t least = kMostLetters + 1;
-  for (const std::string& candidate : known) {
-    if (name.size() > candidate.size() + kMostLetters) continue;
-    const std::size_t letters = lettersToChange(name, candidate);
-    if (letters < least) {
-      least = letters;
-      best = candidate;
-    }
-  }
-  return best;
-}
 
 }  // namespace
 
@@ -283,7 +245,7 @@ std::string ParameterReader::unknown(const std::string& name, const Entry& entry
   if (!word.empty() && word.find_first_not_of("0123456789") == std::string::npos) {
     return where + "is not a parameter; decimals have a point, not a comma";
   }
-  const std::string meant = nearest(name, known_);
+  const std::string meant = nearestName(name, known_);
   return where + "is not a parameter" + (meant.empty() ? "" : "; is " + meant + " meant?");
 }
 

@@ -91,16 +91,30 @@ enum class Correct {
   kOnRequest,  ///< when it is known after ~relocalize or initialpose
 };
 
-/// Of a robot that drives along with the map.
+/// Who drives the robot to a place.
+enum class DriveBy {
+  kCmdVel,    ///< the node, through cmd_vel
+  kMoveBase,  ///< a server of MoveBaseAction
+};
+
+/// Of a robot that drives along with the map, or is driven.
 struct DriveOptions {
   Correct correct = Correct::kAlways;
   double largest_jump = 0.5;  ///< a correction that moves the robot further is an event [m]
   bool initialpose = false;   ///< published when it became known where the robot is
+  DriveBy by = DriveBy::kCmdVel;
+  double speed = 0.3;       ///< at most [m/s]
+  double turn_rate = 0.6;   ///< at most [rad/s]
+  double radius = 0.3;      ///< of the robot [m]
+  double clearance = 0.15;  ///< that it keeps to what is heard ahead [m]
+  double patience = 5.0;    ///< with what stands in the way [s]
+  double timeout = 10.0;    ///< of a server that is silent [s]
 };
 
 /// What is drawn for rviz.
 struct MarkerOptions {
   int labels = 100;
+  int clickable = 0;  ///< places nearest to the robot that answer to the mouse
 };
 
 /// Everything that can be set, with its default. config/place_memory.yaml documents every one.

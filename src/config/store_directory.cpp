@@ -12,6 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostPathBytes = 1024;
+
 [[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument(why); }
 
 bool isBelow(const fs::path& path, const fs::path& folder) {
@@ -23,6 +25,11 @@ bool isBelow(const fs::path& path, const fs::path& folder) {
 }  // namespace
 
 std::string pathInside(const std::string& directory, const std::string& path) {
+  // Which goes into answers.
+  if (path.size() > kMostPathBytes) {
+    refuse("path has " + std::to_string(path.size()) + " bytes, more than the " +
+           std::to_string(kMostPathBytes) + " that a path may have");
+  }
   if (directory.empty()) {
     refuse("no folder is set for such files: give parameter store_directory, or store");
   }

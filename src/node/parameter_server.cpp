@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "node/base/node_names.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {

@@ -13,11 +13,11 @@
 #include "node/answer/answer_words.h"
 #include "node/base/cell_marker.h"
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
 #include "node/base/ros_time.h"
 #include "node/drive/drive_diagnostics.h"
 #include "node/input/sensor_placement.h"
 #include "node/map/memory_diagnostics.h"
+#include "node/names/node_names.h"
 #include "node/scan/input_diagnostics.h"
 
 namespace place_memory::node {
@@ -66,13 +66,25 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
                   }),
       map_frame_broadcaster_(
           names_, [this] { return mapFromOdom(); }, parameters_),
-      scan_server_(names_, private_names_, parameters_, buffer_, transforms_, scanCallbacks()),
+      drive_lease_(names_),
+      echoes_(buffer_, parameters_.base_frame),
+      robot_finder_(parameters_, buffer_, *memory_, driver_),
+      go_server_(names_, private_names_,
+                 {*memory_, driver_, {parameters_, drive_lease_, echoes_, robot_finder_}}),
+      scan_server_(names_, private_names_, parameters_, drive_lease_, buffer_, transforms_,
+                   scanCallbacks()),
       live_parameters_(withQueue(private_names_, queue_), parameters_,
                        [this](const config::Parameters& now) {
                          memory_->setOptions(now.match.recognizer, now.places);
                          scan_server_.setNoEcho(now.no_echo);
                        }),
       diagnostics_(names_, private_names_),
+      clicks_(
+          private_names_, *memory_, answer_publisher_, [this] { return believedPlaces(); },
+          parameters_),
+      handles_(private_names_, *memory_, static_cast<std::size_t>(parameters_.markers.clickable),
+               parameters_.map_frame,
+               [this](core::PlaceId id, PlaceEntry entry) { clicks_.choose(id, entry); }),
       drive_services_(names_, private_names_, driver_, *memory_, parameters_),
       services_(private_names_, {*memory_, answer_publisher_, scans_, examiner_, driver_,
                                  drive_publisher_, parameters_, store_problem_}),
@@ -134,13 +146,17 @@ void PlaceMemoryNode::sayWhatIsKnown() const {
 void PlaceMemoryNode::onDiagnosticsTimer() {
   diagnostics_.force_update();
   map_publisher_.follow();
+  handles_.follow(locateRobot());
   if (ros::Time::isValid()) return;
   if (ticks_without_time_++ % kTicksBetweenWarnings == 0) {
     ROS_WARN("Waiting for simulated time on /clock");  // throttled logging needs a time itself
   }
 }
 
-void PlaceMemoryNode::stop() { scan_server_.stop(); }
+void PlaceMemoryNode::stop() {
+  go_server_.stop();
+  scan_server_.stop();
+}
 
 std::unique_ptr<core::PlaceMemory> PlaceMemoryNode::openMemory() {
   core::PlaceMemoryOptions options = config::memoryOptions(parameters_);
@@ -164,8 +180,15 @@ ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
     scans_.add(std::move(scan));
   };
   callbacks.partial = [this](const core::Scan& scan) { publishScan(scan); };
-  callbacks.time_jump = [this] { dropScans(); };
-  callbacks.taken = [this](const Taken& taken) { driver_.input().take(taken); };
+  callbacks.under_way = [this](bool under_way) { scans_.setUnderWay(under_way); };
+  callbacks.time_jump = [this] {
+    dropScans();
+    go_server_.onTimeJump();
+  };
+  callbacks.taken = [this](const Taken& taken) {
+    driver_.input().take(taken);
+    echoes_.take(taken);
+  };
   return callbacks;
 }
 

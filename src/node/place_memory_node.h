@@ -16,18 +16,24 @@
 #include "config/parameters.h"
 #include "node/answer/answer_publisher.h"
 #include "node/answer/kept_scans.h"
+#include "node/answer/place_clicks.h"
 #include "node/answer/place_services.h"
 #include "node/answer/route_services.h"
 #include "node/answer/store_services.h"
+#include "node/base/drive_lease.h"
 #include "node/base/guarded_queue.h"
 #include "node/drive/drive_publisher.h"
 #include "node/drive/drive_services.h"
 #include "node/drive/map_driver.h"
+#include "node/go/echo_listener.h"
+#include "node/go/go_server.h"
+#include "node/go/robot_finder.h"
 #include "node/input/transform_input.h"
 #include "node/live_parameters.h"
 #include "node/map/fused_map_publisher.h"
 #include "node/map/map_frame_broadcaster.h"
 #include "node/map/map_publisher.h"
+#include "node/map/place_handles.h"
 #include "node/scan/scan_server.h"
 #include "node/scan/sensor_examiner.h"
 #include "place_memory/core/place_memory.h"
@@ -45,7 +51,7 @@ class PlaceMemoryNode {
   /// Handles what is to be done on the caller's thread, and waits so long for it.
   void spinOnce(const ros::WallDuration& wait) { queue_.callAvailable(wait); }
 
-  /// Ends a scan that runs and stops the robot. To be called before ros::shutdown().
+  /// Ends a scan or a goal that runs and stops the robot. To be called before ros::shutdown().
   void stop();
 
  private:
@@ -82,12 +88,18 @@ class PlaceMemoryNode {
   MapDriver driver_;
   TransformInput transforms_;
   MapFrameBroadcaster map_frame_broadcaster_;
+  DriveLease drive_lease_;
+  EchoListener echoes_;
+  RobotFinder robot_finder_;
+  GoServer go_server_;
   ScanServer scan_server_;
   LiveParameters live_parameters_;
   diagnostic_updater::Updater diagnostics_;
   ros::SteadyTimer diagnostics_timer_;
   ros::SteadyTimer health_timer_;
   int ticks_without_time_ = 0;
+  PlaceClicks clicks_;
+  PlaceHandles handles_;
   DriveServices drive_services_;
   PlaceServices services_;  ///< ends with the next two: changes come from there
   RouteServices route_services_;

@@ -46,7 +46,7 @@ struct Text {
   Color color;
 };
 
-/// About as wide as this text is drawn.
+/// As wide as this text is drawn in an image, and about so in SVG.
 double widthOf(const std::string& text, double size);
 
 /// Cells, row by row from the lower left corner.
@@ -71,7 +71,7 @@ struct Picture {
 /// An element to be put in a page, of the CSS class `name`.
 std::string toSvg(const Picture& picture, const std::string& name);
 
-/// The longer side of the image has `pixels`, > 0. Letters that the font does not have are boxes.
+/// The longer side of the image has `pixels`, > 0.
 std::string toPng(const Picture& picture, int pixels);
 
 }  // namespace place_memory::picture

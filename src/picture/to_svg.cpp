@@ -2,7 +2,7 @@
 #include <boost/archive/iterators/transform_width.hpp>
 
 #include "picture/picture.h"
-#include "picture/png.h"
+#include "picture/surface.h"
 #include "picture/svg_text.h"
 
 namespace place_memory::picture {
@@ -34,7 +34,7 @@ struct SvgWriter {
             decimal(raster.columns * raster.cell, 3) + "\" height=\"" +
             decimal(raster.rows * raster.cell, 3) +
             "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," +
-            base64(encodePng(pixels, raster.columns)) + "\"/>";
+            base64(encodePng(*makeSurface(pixels, raster.columns))) + "\"/>";
   }
 
   void operator()(const Line& line) {

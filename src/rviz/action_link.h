@@ -88,8 +88,8 @@ class ActionLink {
 
   void onFeedback(const ActionFeedback& message) {
     board_->change([&](PanelState& state) {
-      state.hearProgress(name_, message.status.goal_id.id, fractionOf(message.feedback),
-                         message.feedback.message, Clock::now());
+      state.hearProgress(name_, message.status.goal_id.id, progressOf(message.feedback),
+                         Clock::now());
     });
   }
 

@@ -1,12 +1,18 @@
 #ifndef PLACE_MEMORY_RVIZ_ACTION_WORDS_H
 #define PLACE_MEMORY_RVIZ_ACTION_WORDS_H
 
+#include <place_memory/ExploreFeedback.h>
+#include <place_memory/GoToPlaceFeedback.h>
 #include <place_memory/ScanPlaceFeedback.h>
+
+#include "rviz/goal_progress.h"
 
 namespace place_memory::panel {
 
-/// How much of a goal is done, in [0, 1].
-inline double fractionOf(const ScanPlaceFeedback& feedback) { return feedback.fraction; }
+/// What the feedback of each action says of how far it is.
+GoalProgress progressOf(const ScanPlaceFeedback& feedback);
+GoalProgress progressOf(const GoToPlaceFeedback& feedback);
+GoalProgress progressOf(const ExploreFeedback& feedback);
 
 }  // namespace place_memory::panel
 

@@ -1,6 +1,6 @@
 #include "rviz/command.h"
 
-#include "rviz/interface_names.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::panel {
 
@@ -8,29 +8,29 @@ Interface interfaceOf(Command command) {
   using Kind = Interface::Kind;
   switch (command) {
     case Command::kScan:
-      return {Kind::kAction, kScanAction};
+      return {Kind::kAction, node::kScanAction};
     case Command::kLearn:
-      return {Kind::kService, kLearnPlaceService};
+      return {Kind::kService, node::kLearnPlaceService};
     case Command::kRecognize:
-      return {Kind::kService, kRecognizePlaceService};
+      return {Kind::kService, node::kRecognizePlaceService};
     case Command::kRelocalize:
-      return {Kind::kService, kRelocalizeService};
+      return {Kind::kService, node::kRelocalizeService};
     case Command::kGoTo:
-      return {Kind::kAction, kGoToPlaceAction};
+      return {Kind::kAction, node::kGoToPlaceAction};
     case Command::kExplore:
-      return {Kind::kAction, kExploreAction};
+      return {Kind::kAction, node::kExploreAction};
     case Command::kUndo:
-      return {Kind::kService, kUndoService};
+      return {Kind::kService, node::kUndoService};
     case Command::kSave:
-      return {Kind::kService, kSaveService};
+      return {Kind::kService, node::kSaveService};
     case Command::kLoad:
-      return {Kind::kService, kLoadService};
+      return {Kind::kService, node::kLoadService};
     case Command::kSetMode:
-      return {Kind::kService, kSetModeService};
+      return {Kind::kService, node::kSetModeService};
     case Command::kRename:
-      return {Kind::kService, kRenamePlaceService};
+      return {Kind::kService, node::kRenamePlaceService};
     case Command::kRemove:
-      return {Kind::kService, kRemovePlaceService};
+      return {Kind::kService, node::kRemovePlaceService};
   }
   return {};
 }

@@ -1,10 +1,11 @@
 #include "rviz/node_link.h"
 
 #include <std_msgs/String.h>
+#include <visualization_msgs/InteractiveMarkerFeedback.h>
 
 #include <boost/function.hpp>
 
-#include "rviz/interface_names.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::panel {
 namespace {
@@ -29,24 +30,38 @@ NodeLink::NodeLink(const std::string& node, const std::shared_ptr<Board>& board)
   names_.setCallbackQueue(&queue_);
   const std::string below = node + "/";
   subscribers_ = {
-      write<MapChange>(names_, below + kMapChangesTopic, board,
+      write<MapChange>(names_, below + node::kMapChangesTopic, board,
                        [](PanelState& state, const MapChange& change) { state.addChange(change); }),
       write<Recognition>(
-          names_, below + kRecognitionTopic, board,
+          names_, below + node::kRecognitionTopic, board,
           [](PanelState& state, const Recognition& answer) { state.setRecognition(answer); }),
       write<PlaceBelief>(
-          names_, below + kBeliefTopic, board,
+          names_, below + node::kBeliefTopic, board,
           [](PanelState& state, const PlaceBelief& belief) { state.setBelief(belief); }),
       write<std_msgs::String>(
-          names_, below + kModeTopic, board,
+          names_, below + node::kModeTopic, board,
           [](PanelState& state, const std_msgs::String& mode) { state.setMode(mode.data); }),
-      write<MapEvent>(names_, below + kEventsTopic, board,
+      write<MapEvent>(names_, below + node::kEventsTopic, board,
                       [](PanelState& state, const MapEvent& event) { state.addEvent(event); }),
+      write<visualization_msgs::InteractiveMarkerFeedback>(
+          names_, below + node::kPlaceHandlesTopic + "/feedback", board,
+          [](PanelState& state, const visualization_msgs::InteractiveMarkerFeedback& feedback) {
+            state.hearClick(feedback);
+          }),
   };
-  scan_ = std::make_unique<ActionLink<ScanPlaceAction>>(names_, node, kScanAction, board);
+  scan_ = std::make_unique<ActionLink<ScanPlaceAction>>(names_, node, node::kScanAction, board);
+  go_to_place_ =
+      std::make_unique<ActionLink<GoToPlaceAction>>(names_, node, node::kGoToPlaceAction, board);
+  explore_ = std::make_unique<ActionLink<ExploreAction>>(names_, node, node::kExploreAction, board);
   spinner_.start();
 }
 
 NodeLink::~NodeLink() { spinner_.stop(); }
+
+void NodeLink::cancel() {
+  scan_->cancel();
+  go_to_place_->cancel();
+  explore_->cancel();
+}
 
 }  // namespace place_memory::panel

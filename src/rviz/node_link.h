@@ -1,6 +1,8 @@
 #ifndef PLACE_MEMORY_RVIZ_NODE_LINK_H
 #define PLACE_MEMORY_RVIZ_NODE_LINK_H
 
+#include <place_memory/ExploreAction.h>
+#include <place_memory/GoToPlaceAction.h>
 #include <place_memory/ScanPlaceAction.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
@@ -24,12 +26,19 @@ class NodeLink {
   ~NodeLink();
 
   ActionLink<ScanPlaceAction>& scan() { return *scan_; }
+  ActionLink<GoToPlaceAction>& goToPlace() { return *go_to_place_; }
+  ActionLink<ExploreAction>& explore() { return *explore_; }
+
+  /// Every goal that is under way.
+  void cancel();
 
  private:
   ros::CallbackQueue queue_;
   ros::NodeHandle names_;
   std::vector<ros::Subscriber> subscribers_;
   std::unique_ptr<ActionLink<ScanPlaceAction>> scan_;
+  std::unique_ptr<ActionLink<GoToPlaceAction>> go_to_place_;
+  std::unique_ptr<ActionLink<ExploreAction>> explore_;
   ros::AsyncSpinner spinner_;
 };
 

@@ -14,7 +14,7 @@
 
 #include <utility>
 
-#include "rviz/interface_names.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::panel {
 namespace {
@@ -106,7 +106,7 @@ void PanelBackend::askForGraph() {
                                                                  const GetGraph::Response& answer) {
     board->change([&](PanelState& state) {
       if (end != CallEnd::kAnswered) {
-        state.failGraph(endInWords(end, kGetGraphService, kLongPatience));
+        state.failGraph(endInWords(end, node::kGetGraphService, kLongPatience));
       } else if (answer.status != GetGraph::Response::OK) {
         state.failGraph(answer.message);
       } else {
@@ -114,7 +114,7 @@ void PanelBackend::askForGraph() {
       }
     });
   };
-  caller_->call<GetGraph>(node_ + "/" + kGetGraphService, {}, kLongPatience, on_end);
+  caller_->call<GetGraph>(node_ + "/" + node::kGetGraphService, {}, kLongPatience, on_end);
 }
 
 template <class Service>
@@ -141,51 +141,63 @@ void PanelBackend::scan() {
   withLink([](NodeLink& link) { link.scan().send({}); });
 }
 
+void PanelBackend::goTo(const std::string& label) {
+  GoToPlaceGoal goal;
+  goal.label = label;
+  withLink([goal](NodeLink& link) { link.goToPlace().send(goal); });
+}
+
+void PanelBackend::explore() {
+  withLink([](NodeLink& link) { link.explore().send({}); });
+}
+
 void PanelBackend::cancel() {
-  withLink([](NodeLink& link) { link.scan().cancel(); });
+  withLink([](NodeLink& link) { link.cancel(); });
 }
 
 void PanelBackend::learn(const std::string& label) {
   LearnPlace::Request request;
   request.label = label;
-  call<LearnPlace>(kLearnPlaceService, request, kPatience);
+  call<LearnPlace>(node::kLearnPlaceService, request, kPatience);
 }
 
-void PanelBackend::recognize() { call<RecognizePlace>(kRecognizePlaceService, {}, kLongPatience); }
+void PanelBackend::recognize() {
+  call<RecognizePlace>(node::kRecognizePlaceService, {}, kLongPatience);
+}
 
-void PanelBackend::relocalize() { call<Relocalize>(kRelocalizeService, {}, kPatience); }
+void PanelBackend::relocalize() { call<Relocalize>(node::kRelocalizeService, {}, kPatience); }
 
 void PanelBackend::setMode(const std::string& mode) {
   SetMode::Request request;
   request.mode = mode;
-  call<SetMode>(kSetModeService, request, kLongPatience);
+  call<SetMode>(node::kSetModeService, request, kLongPatience);
 }
 
 void PanelBackend::rename(const std::string& label, const std::string& new_label) {
   RenamePlace::Request request;
   request.label = label;
   request.new_label = new_label;
-  call<RenamePlace>(kRenamePlaceService, request, kPatience);
+  call<RenamePlace>(node::kRenamePlaceService, request, kPatience);
 }
 
 void PanelBackend::remove(const std::string& label) {
   RemovePlace::Request request;
   request.label = label;
-  call<RemovePlace>(kRemovePlaceService, request, kPatience);
+  call<RemovePlace>(node::kRemovePlaceService, request, kPatience);
 }
 
-void PanelBackend::undo() { call<Undo>(kUndoService, {}, kPatience); }
+void PanelBackend::undo() { call<Undo>(node::kUndoService, {}, kPatience); }
 
 void PanelBackend::save(const std::string& path) {
   Save::Request request;
   request.path = path;
-  call<Save>(kSaveService, request, kLongPatience);
+  call<Save>(node::kSaveService, request, kLongPatience);
 }
 
 void PanelBackend::load(const std::string& path) {
   Load::Request request;
   request.path = path;
-  call<Load>(kLoadService, request, kLongPatience);
+  call<Load>(node::kLoadService, request, kLongPatience);
 }
 
 }  // namespace place_memory::panel

@@ -33,6 +33,9 @@ class PanelBackend {
   std::optional<PanelView> poll();
 
   void scan();
+  void goTo(const std::string& label);
+  /// Until nothing is left, and home again.
+  void explore();
   void learn(const std::string& label);
   void recognize();
   void relocalize();

@@ -1,9 +1,12 @@
 #include "rviz/panel_state.h"
 
 #include <algorithm>
+#include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 
-#include "rviz/interface_names.h"
+#include "node/names/node_names.h"
 #include "rviz/verdict_words.h"
 
 namespace place_memory::panel {
@@ -44,17 +47,17 @@ void PanelState::breakOff(const std::string& reason) {
 bool PanelState::beginGraph() {
   const bool is_there = view_.presence.kind == Presence::Kind::kThere;
   if (!wants_graph_ || !is_there) return false;
-  return view_.calls.insert(kGetGraphService).second;
+  return view_.calls.insert(node::kGetGraphService).second;
 }
 
 void PanelState::setGraph(const PlaceGraph& graph) {
-  view_.calls.erase(kGetGraphService);
+  view_.calls.erase(node::kGetGraphService);
   places_.reset(graph);
   wants_graph_ = graph.version < newest_version_;  // it was overtaken on its way
 }
 
 void PanelState::failGraph(const std::string& message) {
-  view_.calls.erase(kGetGraphService);
+  view_.calls.erase(node::kGetGraphService);
   say(message, true);
 }
 
@@ -94,6 +97,21 @@ void PanelState::addEvent(const MapEvent& event) {
   }
 }
 
+void PanelState::hearClick(const visualization_msgs::InteractiveMarkerFeedback& feedback) {
+  const bool is_choice = feedback.event_type == feedback.MENU_SELECT;
+  if (!is_choice && feedback.event_type != feedback.BUTTON_CLICK) return;
+  const auto& name = feedback.marker_name;
+  const std::size_t prefix = std::string(node::kPlaceHandle).size();
+  std::int64_t id = 0;
+  if (name.compare(0, prefix, node::kPlaceHandle) != 0 ||
+      !boost::conversion::try_lexical_convert(name.substr(prefix), id)) {
+    return;
+  }
+  const bool renames =
+      is_choice && node::PlaceEntry{feedback.menu_entry_id} == node::PlaceEntry::kRename;
+  view_.chosen = {view_.chosen.count + 1, id, renames};
+}
+
 void PanelState::endCall(const std::string& service, const std::string& message, bool problem) {
   view_.calls.erase(service);
   say(message, problem);
@@ -112,15 +130,23 @@ void PanelState::hearGoal(const std::string& action, const std::string& id) {
   if (found != view_.goals.end() && found->second.id == id) found->second.answered = true;
 }
 
-void PanelState::hearProgress(const std::string& action, const std::string& id, double fraction,
-                              const std::string& message, Time now) {
+void PanelState::hearProgress(const std::string& action, const std::string& id,
+                              const GoalProgress& progress, Time now) {
   if (ended_[action] == id) return;  // it comes by another topic than the result
   RunningGoal& goal = view_.goals[action];
-  if (goal.id != id) goal.sent = now;
-  goal.id = id;
+  if (goal.id != id) {
+    goal = {};
+    goal.id = id;
+    goal.sent = now;
+  }
   goal.answered = true;
-  goal.fraction = fraction;
-  goal.message = message;
+  goal.message = progress.message;
+  goal.fraction = progress.fraction;
+  if (!progress.time_left) return;
+  // What is done of the longest time that was ever left: a detour does not run the bar backwards.
+  goal.longest_left = std::max(goal.longest_left, *progress.time_left);
+  const bool is_known = goal.longest_left > 0.0;
+  goal.fraction = is_known ? 1.0 - *progress.time_left / goal.longest_left : 1.0;
 }
 
 void PanelState::endGoal(const std::string& action, const std::string& id,

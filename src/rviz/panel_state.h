@@ -6,12 +6,14 @@
 #include <place_memory/PlaceBelief.h>
 #include <place_memory/PlaceGraph.h>
 #include <place_memory/Recognition.h>
+#include <visualization_msgs/InteractiveMarkerFeedback.h>
 
 #include <chrono>
 #include <cstdint>
 #include <map>
 #include <string>
 
+#include "rviz/goal_progress.h"
 #include "rviz/panel_view.h"
 #include "rviz/place_list.h"
 
@@ -42,6 +44,8 @@ class PanelState {
   void setBelief(const PlaceBelief& belief);
   /// Its sentence is said; a problem are doubts, being lost, and what cannot be kept.
   void addEvent(const MapEvent& event);
+  /// A person has clicked a place in rviz, or chosen of its menu.
+  void hearClick(const visualization_msgs::InteractiveMarkerFeedback& feedback);
   void setMode(const std::string& mode) { view_.mode = mode; }
 
   void beginCall(const std::string& service) { view_.calls.insert(service); }
@@ -51,8 +55,8 @@ class PanelState {
   void sendGoal(const std::string& action, const std::string& id, Time now);
   /// The node knows of the goal.
   void hearGoal(const std::string& action, const std::string& id);
-  void hearProgress(const std::string& action, const std::string& id, double fraction,
-                    const std::string& message, Time now);
+  void hearProgress(const std::string& action, const std::string& id, const GoalProgress& progress,
+                    Time now);
   void endGoal(const std::string& action, const std::string& id, const std::string& message,
                bool problem);
   /// Gives up the goals of which the node has said nothing for too long.

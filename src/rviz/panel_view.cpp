@@ -1,14 +1,8 @@
 #include "rviz/panel_view.h"
 
+#include "rviz/verdict_words.h"
+
 namespace place_memory::panel {
-namespace {
-
-std::string counted(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
-}  // namespace
-
 std::string presenceInWords(const PanelView& view) {
   switch (view.presence.kind) {
     case Presence::Kind::kUnknown:
@@ -33,6 +27,9 @@ std::string whyNot(const PanelView& view, Command command, bool place_is_chosen)
   }
   if (view.calls.count(name) == 1) return "waiting for the answer of ~" + name;
   if (view.goals.count(name) == 1) return "~" + name + " is under way";
+  if (command == Command::kExplore && !view.mode.empty() && view.mode != "map") {
+    return "it explores in mode map alone; the mode is " + view.mode;
+  }
   if (needsPlace(command) && !place_is_chosen) return "choose a place in the list";
   return "";
 }

@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_RVIZ_PANEL_VIEW_H
 
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,12 +19,17 @@ namespace place_memory::panel {
 struct LabelledProbability {
   std::string label;
   double probability = 0.0;
+
+  bool operator==(const LabelledProbability& other) const {
+    return label == other.label && probability == other.probability;
+  }
 };
 
 /// A goal of an action that is under way, whoever asked for it.
 struct RunningGoal {
   std::string id;
-  double fraction = 0.0;  ///< that is done, in [0, 1]
+  std::optional<double> fraction;  ///< that is done, in [0, 1]; nothing: that is not known
+  double longest_left = 0.0;       ///< of the times that it was said to take still [s]
   std::string message;
   bool answered = false;                       ///< the node has said something of it
   std::chrono::steady_clock::time_point sent;  ///< or first heard of
@@ -33,6 +39,13 @@ struct RunningGoal {
 struct Note {
   std::string text;
   bool is_problem = false;
+};
+
+/// A place that was chosen elsewhere than in the list.
+struct ChosenPlace {
+  std::uint64_t count = 0;  ///< of choices: another one each time
+  std::int64_t id = 0;
+  bool is_to_be_renamed = false;
 };
 
 /// All that the panel shows.
@@ -48,6 +61,7 @@ struct PanelView {
   std::optional<double> lost;                ///< probability that the robot is lost
   std::string mode;                          ///< empty: not known
   std::shared_ptr<const PlaceRows> places;
+  ChosenPlace chosen;
   Note note;
 };
 

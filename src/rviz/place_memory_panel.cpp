@@ -11,6 +11,7 @@
 #include <QTreeWidgetItem>
 #include <cmath>
 #include <pluginlib/class_list_macros.hpp>
+#include <utility>
 
 #include "rviz/verdict_words.h"
 
@@ -28,6 +29,12 @@ void fill(QTreeWidget& table, const std::vector<LabelledProbability>& rows) {
     table.addTopLevelItem(new QTreeWidgetItem(
         {QString::fromStdString(label), QString::fromStdString(percent(probability))}));
   }
+}
+
+/// A style that is set makes Qt lay out the panel anew, also where it is the old one.
+void setProblem(QLabel& label, bool is_problem) {
+  const QString style = is_problem ? kProblemColour : "";
+  if (label.styleSheet() != style) label.setStyleSheet(style);
 }
 
 }  // namespace
@@ -105,6 +112,12 @@ void PlaceMemoryPanel::press(Command command) {
     case Command::kRelocalize:
       backend_.relocalize();
       break;
+    case Command::kGoTo:
+      backend_.goTo(place);
+      break;
+    case Command::kExplore:
+      backend_.explore();
+      break;
     case Command::kUndo:
       backend_.undo();
       break;
@@ -120,8 +133,8 @@ void PlaceMemoryPanel::press(Command command) {
     case Command::kRemove:
       askToRemove(place);
       break;
-    default:
-      break;
+    case Command::kSetMode:
+      break;  // has no button
   }
   poll();
 }
@@ -151,12 +164,15 @@ void PlaceMemoryPanel::poll() {
 }
 
 void PlaceMemoryPanel::show(const PanelView& view) {
-  view_ = view;
+  const PanelView before = std::exchange(view_, view);
   showNodes(view);
   showPlaces(view);
   showCommands();
   showProgress(view);
   showWhere(view);
+  if (view.matches != before.matches) fill(*form_.matches, view.matches);
+  if (view.belief != before.belief) fill(*form_.belief, view.belief);
+  followChoice(view.chosen);
 }
 
 void PlaceMemoryPanel::showNodes(const PanelView& view) {
@@ -172,7 +188,7 @@ void PlaceMemoryPanel::showNodes(const PanelView& view) {
   }
   const bool is_there = view.presence.kind == Presence::Kind::kThere;
   form_.presence->setText(QString::fromStdString(presenceInWords(view)));
-  form_.presence->setStyleSheet(is_there ? "" : kProblemColour);
+  setProblem(*form_.presence, !is_there);
 }
 
 void PlaceMemoryPanel::showCommands() {
@@ -193,9 +209,9 @@ void PlaceMemoryPanel::showCommands() {
 void PlaceMemoryPanel::showProgress(const PanelView& view) {
   if (!view.goals.empty()) {
     const auto& [action, goal] = *view.goals.begin();
-    form_.progress->setRange(0, kWhole);
-    form_.progress->setValue(static_cast<int>(std::lround(kWhole * goal.fraction)));
-    form_.progress->setFormat(QString::fromStdString(action) + " %p %");
+    form_.progress->setRange(0, goal.fraction ? kWhole : 0);  // of no range: busy
+    form_.progress->setValue(static_cast<int>(std::lround(kWhole * goal.fraction.value_or(0.0))));
+    form_.progress->setFormat(QString::fromStdString(action) + (goal.fraction ? " %p %" : ""));
   } else {
     const bool is_waiting = !view.calls.empty();
     form_.progress->setRange(0, is_waiting ? 0 : kWhole);
@@ -206,13 +222,11 @@ void PlaceMemoryPanel::showProgress(const PanelView& view) {
   const bool is_running = !view.goals.empty() && !view.goals.begin()->second.message.empty();
   form_.note->setText(
       QString::fromStdString(is_running ? view.goals.begin()->second.message : view.note.text));
-  form_.note->setStyleSheet(!is_running && view.note.is_problem ? kProblemColour : "");
+  setProblem(*form_.note, !is_running && view.note.is_problem);
 }
 
 void PlaceMemoryPanel::showWhere(const PanelView& view) {
   form_.verdict->setText(QString::fromStdString(view.verdict));
-  fill(*form_.matches, view.matches);
-  fill(*form_.belief, view.belief);
   form_.lost->setText(QString::fromStdString(
       view.lost ? "Lost: " + percent(*view.lost) +
                       ". At none of the places: " + percent(view.off_map.value_or(0.0)) + "."
@@ -226,8 +240,20 @@ void PlaceMemoryPanel::showPlaces(const PanelView& view) {
   if (form_.places->viewport()->findChild<QLineEdit*>() != nullptr) return;
   const QVariant chosen = form_.places->currentIndex().data(PlaceListModel::kIdRole);
   if (!places_->setRows(view.places) || !chosen.isValid()) return;
-  const QModelIndexList found = filtered_->match(filtered_->index(0, 0), PlaceListModel::kIdRole,
-                                                 chosen, 1, Qt::MatchExactly);
+  choosePlace(chosen);
+}
+
+void PlaceMemoryPanel::followChoice(const ChosenPlace& chosen) {
+  if (chosen.count == choices_) return;
+  choices_ = chosen.count;
+  form_.filter->clear();
+  choosePlace(QVariant::fromValue<qlonglong>(chosen.id));
+  if (chosen.is_to_be_renamed) form_.buttons.at(Command::kRename)->click();
+}
+
+void PlaceMemoryPanel::choosePlace(const QVariant& id) {
+  const QModelIndexList found =
+      filtered_->match(filtered_->index(0, 0), PlaceListModel::kIdRole, id, 1, Qt::MatchExactly);
   if (!found.empty()) form_.places->setCurrentIndex(found.front());
 }
 

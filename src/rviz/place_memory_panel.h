@@ -7,7 +7,9 @@
 #include <QModelIndex>
 #include <QSortFilterProxyModel>
 #include <QTimer>
+#include <QVariant>
 #include <QWidget>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -33,6 +35,7 @@ class PlaceMemoryPanel : public rviz::Panel {
   void press(Command command);
   void askToRemove(const std::string& label);
   std::optional<std::string> chosenPlace() const;
+  void choosePlace(const QVariant& id);
 
   void poll();
   void show(const PanelView& view);
@@ -41,13 +44,15 @@ class PlaceMemoryPanel : public rviz::Panel {
   void showProgress(const PanelView& view);
   void showWhere(const PanelView& view);
   void showPlaces(const PanelView& view);
+  void followChoice(const ChosenPlace& chosen);
 
   PanelBackend backend_;
   PanelForm form_;
   PlaceListModel* places_;
   QSortFilterProxyModel* filtered_;
   QTimer* timer_;
-  PanelView view_;  // that is shown
+  PanelView view_;             // that is shown
+  std::uint64_t choices_ = 0;  // that were followed
 };
 
 }  // namespace place_memory::panel

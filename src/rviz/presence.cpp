@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "rviz/interface_names.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::panel {
 namespace {
@@ -64,8 +64,8 @@ Presence lookFor(const std::string& node) {
     return presence;
   }
   const std::set<std::string> services = namesIn(state[2]);
-  presence.nodes = before(std::string("/") + kGetGraphService, services);
-  const std::optional<std::string> place = reach(node + "/" + kGetGraphService);
+  presence.nodes = before(std::string("/") + node::kGetGraphService, services);
+  const std::optional<std::string> place = reach(node + "/" + node::kGetGraphService);
   presence.kind = place ? Presence::Kind::kThere : Presence::Kind::kAway;
   if (!place) return presence;
   presence.incarnation = *place;

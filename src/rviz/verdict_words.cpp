@@ -15,6 +15,10 @@ std::string percent(double probability) {
   return std::to_string(std::lround(100.0 * probability)) + " %";
 }
 
+std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
 std::string verdictInWords(const Recognition& recognition) {
   const auto& matches = recognition.matches;
   if (matches.empty()) return "Not recognized: no place was learned yet.";

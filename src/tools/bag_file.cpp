@@ -12,11 +12,16 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <stdexcept>
+#include <string_view>
 
 namespace place_memory::tools {
 namespace {
+
+constexpr std::string_view kAnyBag = "#ROS";
+constexpr std::string_view kBag = "#ROSBAG V2";  // not of the first years of ROS
 
 // Of the types that are read.
 std::map<std::string, std::string> definitions() {
@@ -37,6 +42,18 @@ std::map<std::string, std::string> definitions() {
   return sums;
 }
 
+// About a bag that rosbag's own words say too little of.
+std::string whatToDo(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return "";
+  if (std::filesystem::path(path).extension() == ".active") return "; is it still being recorded?";
+  std::string begin(kBag.size(), '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin.substr(0, kAnyBag.size()) != kAnyBag) return ": it is no bag of ROS 1";
+  if (begin != kBag) return "";
+  return ": it is damaged, or ends early; was it copied whole? If so, run: rosbag reindex " + path;
+}
+
 }  // namespace
 
 void openBag(const std::string& path, rosbag::Bag& bag) {
@@ -53,9 +70,7 @@ void openBag(const std::string& path, rosbag::Bag& bag) {
     throw std::runtime_error("the bag " + path +
                              " was never closed, and has no index; run: rosbag reindex " + path);
   } catch (const std::exception& error) {
-    const bool is_active = std::filesystem::path(path).extension() == ".active";
-    throw std::runtime_error("cannot read the bag " + path + ": " + error.what() +
-                             (is_active ? "; is it still being recorded?" : ""));
+    throw std::runtime_error("cannot read the bag " + path + ": " + error.what() + whatToDo(path));
   }
 }
 

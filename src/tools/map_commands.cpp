@@ -8,7 +8,7 @@
 #include "config/load_parameters.h"
 #include "core/memory/map_export.h"
 #include "picture/grid_picture.h"
-#include "picture/png.h"
+#include "picture/surface.h"
 #include "picture/svg_text.h"
 #include "tools/map_tables.h"
 #include "tools/node_source.h"
@@ -41,7 +41,7 @@ std::string placeAsPng(const core::EvidenceGrid& grid) {
       pixels.push_back(evidence == 0 ? unsensed : picture::shadeOf(evidence));
     }
   }
-  return picture::encodePng(pixels, kWidth);
+  return picture::encodePng(*picture::makeSurface(pixels, kWidth));
 }
 
 const core::Place& placeOf(const core::MapSnapshot& map, const std::string& label) {

@@ -49,6 +49,15 @@ TEST_F(StoreDirectory, NothingElseIs) {
   }
 }
 
+TEST_F(StoreDirectory, WhatNoPathCanBeIsNotRepeated) {
+  try {
+    resolved(std::string(1000000, 'x'));
+    ADD_FAILURE() << "taken";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_LT(std::string(error.what()).size(), 200U) << error.what();
+  }
+}
+
 TEST_F(StoreDirectory, LinksLeadNowhereElse) {
   fs::create_symlink(root_, inside_ + "/out");
   fs::create_symlink(root_ + "/not_there.db", inside_ + "/a.db");

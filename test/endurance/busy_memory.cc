@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <filesystem>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <random>
@@ -94,13 +96,14 @@ class Client {
       : memory_(memory),
         log_(log),
         number_(number),
+        saved_(busy.saved),
         is_alone_(busy.clients == 1),
         random_(busy.seed * 64 + number) {}
 
   void work() {
     for (;;) {
       const std::vector<std::string> own = ownLabels();
-      switch (random_() % 11) {
+      switch (random_() % 16) {
         case 0:
         case 1:
         case 2:
@@ -125,6 +128,19 @@ class Client {
           break;
         case 8:
           if (is_alone_) undo();
+          break;
+        case 9:
+        case 10:
+          setLink();
+          break;
+        case 11:
+          if (is_alone_) drive();
+          break;
+        case 12:
+          if (number_ == 0) save();
+          break;
+        case 13:
+          if (is_alone_) takeIn();
           break;
         default:
           if (random_() % kDeedsBetweenClears == 0) {
@@ -208,6 +224,70 @@ class Client {
     attempt(Deed::kTraverse, "", "", [&] { memory_.reportTraversal(traversal); });
   }
 
+  void setLink() {
+    static constexpr core::LinkOrder kOrders[] = {core::LinkOrder::kBlock,
+                                                  core::LinkOrder::kUnblock,
+                                                  core::LinkOrder::kForbid, core::LinkOrder::kToll};
+    const std::vector<core::PlaceLink> links = memory_.map().links;
+    if (links.empty()) return learn();
+    const core::PlaceLink& link = links[random_() % links.size()];
+    const core::LinkOrder order = kOrders[random_() % std::size(kOrders)];
+    const auto toll = static_cast<double>(random_() % 100);
+    const bool both_ways = random_() % 2 == 0;
+    attempt(Deed::kSetLink, "", "",
+            [&] { memory_.setLink(link.second, link.first, order, toll, both_ways); });
+  }
+
+  // By way of a scan that is no place.
+  void drive() {
+    if (memory_.size() >= kMostPlaces) return removeDriven();
+    const bool moves_others = random_() % 2 == 0;
+    attempt(Deed::kDrive, "", "", [&] {
+      core::KeptMap map = memory_.drivenMap();
+      map.nodes.push_back(nodeAfter(map, core::kNoPlace));
+      map.nodes.push_back(nodeAfter(map, map.next_place));
+      if (!moves_others) return memory_.keepNewPlaces(map);
+      map.nodes.front().pose = core::Pose2d{0.02, 0.0, -0.01} * map.nodes.front().pose;
+      memory_.keep(map);
+    });
+  }
+
+  core::ScanNode nodeAfter(const core::KeptMap& map, core::PlaceId place) {
+    core::ScanNode node;
+    node.session = 1;
+    node.stamp = std::chrono::nanoseconds(random_());
+    node.place = place;
+    node.readings = std::make_shared<const std::vector<core::SonarReading>>(
+        scanOf(static_cast<unsigned>(random_() % 1000000), {}).readings);
+    if (map.nodes.empty()) return node;
+    node.before = map.nodes.size() - 1;
+    // What no place tells of has none.
+    if (map.nodes.back().session > 0) node.session = map.nodes.back().session;
+    node.motion = {0.6, 0.1, 0.2};
+    node.pose = map.nodes.back().pose * node.motion;
+    return node;
+  }
+
+  void removeDriven() {
+    for (const core::Place& place : memory_.map().places) {
+      if (place.label.rfind("place_", 0) != 0) continue;
+      return attempt(Deed::kRemove, place.label, "", [&] { memory_.remove(place.label); });
+    }
+  }
+
+  void save() {
+    attempt(Deed::kSave, "", "", [&] { memory_.save(saved_); });
+  }
+
+  void takeIn() {
+    if (!std::filesystem::exists(saved_)) return save();
+    if (random_() % 2 == 0) {
+      attempt(Deed::kLoad, "", "", [&] { memory_.load(saved_); });
+    } else {
+      attempt(Deed::kMerge, "", "", [&] { memory_.merge(saved_); });
+    }
+  }
+
   void undo() {
     attempt(Deed::kUndo, "", "", [&] { memory_.undo(); });
   }
@@ -252,6 +332,7 @@ class Client {
   PlaceMemory& memory_;
   ChangeLog& log_;
   const unsigned number_;
+  const std::string saved_;
   const bool is_alone_;
   std::mt19937 random_;
 };

@@ -19,6 +19,11 @@ enum class Deed : std::uint8_t {
   kRelax,     ///< every place is moved, as after a loop was closed on a drive
   kTraverse,  ///< a link learns from it
   kUndo,      ///< the newest change, of whoever made it
+  kSetLink,   ///< a link is closed, opened, forbidden, or costs more
+  kDrive,     ///< somewhere new, which becomes a place
+  kSave,      ///< a copy; the map stays
+  kLoad,      ///< that copy
+  kMerge,     ///< what that copy has and the map has not
 };
 
 /// What somebody has to say who may be killed right after.

@@ -26,7 +26,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kRounds = 20;
-constexpr auto kLongestLife = std::chrono::milliseconds(250);
+// Some dozen changes; a busy machine needs longer for them.
+constexpr std::uintmax_t kLongestLog = 256 << 10;  // [bytes]
+constexpr int kLongestPause = 5;                   // after that, or without a log [ms]
 // So many a memory needs to be opened, and then some changes.
 constexpr int kMostOperations = 600;
 
@@ -44,7 +46,7 @@ class CrashTest : public testing::Test {
     const pid_t child = fork();
     if (child == 0) {
       begin();
-      keepBusy({store_, log_, clients, static_cast<unsigned>(random_())});
+      keepBusy({store_, log_, saved_, clients, static_cast<unsigned>(random_())});
     }
     meanwhile(child);
     int status = 0;
@@ -52,21 +54,29 @@ class CrashTest : public testing::Test {
     return status;
   }
 
-  bool hasSpoken() const {
+  static bool hasEnded(pid_t child) {
+    siginfo_t info{};
+    return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+           info.si_pid != 0;
+  }
+
+  std::uintmax_t said() const {
     std::error_code error;
-    return fs::file_size(log_, error) > 0 && !error;
+    const std::uintmax_t size = fs::file_size(log_, error);
+    return error ? 0 : size;
   }
 
   void killOne(unsigned clients) {
-    const auto life =
-        kLongestLife * (static_cast<double>(random_()) / static_cast<double>(random_.max()));
     // Some before they have opened the store.
-    const bool lets_open = random_() % 8 != 0;
+    const std::uintmax_t enough = random_() % 8 == 0 ? 0 : 1 + random_() % kLongestLog;
+    const auto pause = std::chrono::microseconds(random_() % (1000 * kLongestPause));
     const int status = runChild(
         clients, [] {},
         [&](pid_t child) {
-          while (lets_open && !hasSpoken()) std::this_thread::yield();
-          std::this_thread::sleep_for(life);
+          while (said() < enough && !hasEnded(child)) {
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+          }
+          std::this_thread::sleep_for(pause);
           kill(child, SIGKILL);
         });
     follow();
@@ -99,6 +109,7 @@ class CrashTest : public testing::Test {
       EXPECT_TRUE(store.setAside().empty());
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
+    expectSoundCopy();
     std::printf(
         "%d %s: %d changes acknowledged, %zu lost or refused, %d opened, %d of them with a "
         "change that was kept and not told\n",
@@ -108,7 +119,16 @@ class CrashTest : public testing::Test {
     EXPECT_GT(ledger_.acknowledged(), rounds);
   }
 
+  void expectSoundCopy() const {
+    ASSERT_TRUE(fs::exists(saved_));
+    const core::PlaceStore copy(saved_, core::kDefaultCellSize);
+    EXPECT_TRUE(copy.setAside().empty());
+    EXPECT_EQ(recordOf(copy).grids.size(), copy.map().size());
+  }
+
   const TemporaryFolder folder_;
+  const TemporaryFolder copies_;
+  const std::string saved_ = copies_.file("saved.db");
   const std::string store_ = folder_.file("places.db");
   const std::string log_ = folder_.file("log");
   std::mt19937 random_{static_cast<unsigned>(number("PLACE_MEMORY_SEED", 1))};

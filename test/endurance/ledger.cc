@@ -14,6 +14,12 @@ std::multiset<std::string> labelsOf(const MapRecord& map) {
   return labels;
 }
 
+/// Of labels that it names.
+bool isOfLabels(Deed deed) {
+  return deed == Deed::kLearn || deed == Deed::kRename || deed == Deed::kRemove ||
+         deed == Deed::kClear;
+}
+
 }  // namespace
 
 void Ledger::add(const Said& said) {
@@ -32,6 +38,7 @@ void Ledger::add(const Said& said) {
       }
       break;
     case What::kAsked:
+      if (said.deed == Deed::kSave) saved_.push_back(labelsOf(map_));
       asked_[said.client] = said;
       cleared_.erase(said.client);
       break;
@@ -67,9 +74,7 @@ void Ledger::acknowledge(const Said& said) {
   const bool is_cleared = cleared_.count(said.client) > 0;
   const bool is_there = is_cleared || (said.deed == Deed::kLearn && has(said.text)) ||
                         (said.deed == Deed::kRename && has(said.new_text)) ||
-                        (said.deed == Deed::kRemove && !has(said.text)) ||
-                        said.deed == Deed::kRecognize || said.deed == Deed::kRelax ||
-                        said.deed == Deed::kTraverse || said.deed == Deed::kUndo;
+                        (said.deed == Deed::kRemove && !has(said.text)) || !isOfLabels(said.deed);
   if (!is_there) problems_.push_back("acknowledged, and not told: \"" + said.text + "\"");
 }
 
@@ -102,7 +107,15 @@ bool Ledger::explains(const Said& asked, const MapRecord& found) const {
     case Deed::kRecognize:
     case Deed::kRelax:
     case Deed::kTraverse:
+    case Deed::kSetLink:
       break;
+    case Deed::kSave:
+      return false;
+    case Deed::kLoad:
+      return std::find(saved_.begin(), saved_.end(), now) != saved_.end();
+    case Deed::kDrive:
+    case Deed::kMerge:  // which adds, and takes nothing
+      return std::includes(now.begin(), now.end(), labels.begin(), labels.end());
     case Deed::kUndo:
       return true;  // what it takes back may be anything
   }

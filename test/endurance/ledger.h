@@ -35,8 +35,9 @@ class Ledger {
   bool has(const std::string& label) const;
 
   MapRecord map_;
-  std::map<std::uint32_t, Said> asked_;  ///< by client: what it waits for
-  std::set<std::uint32_t> cleared_;      ///< clients who wait while somebody clears the map
+  std::map<std::uint32_t, Said> asked_;            ///< by client: what it waits for
+  std::vector<std::multiset<std::string>> saved_;  ///< labels that a saved copy may have
+  std::set<std::uint32_t> cleared_;  ///< clients who wait while somebody clears the map
   int acknowledged_ = 0;
   int openings_ = 0;
   int untold_ = 0;

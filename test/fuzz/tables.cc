@@ -1,10 +1,13 @@
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "config/load_parameters.h"
+#include "config/store_directory.h"
 #include "config/yaml_file.h"
 #include "core/map/place_label.h"
 #include "core/store/packed_readings.h"
+#include "core/temporary_folder.h"
 #include "fuzz/targets.h"
 #include "place_memory/config/match_preset.h"
 #include "support/csv.h"
@@ -44,6 +47,22 @@ void runEvents(const std::uint8_t* bytes, std::size_t size) {
     }
   } catch (const std::runtime_error& error) {
     require(std::string(error.what()).find("input, line ") == 0, "refused without a line");
+  }
+}
+
+// A folder with a link out of it.
+void runPaths(const std::uint8_t* bytes, std::size_t size) {
+  static const TemporaryFolder folder;
+  static const std::string inside = std::filesystem::canonical(folder.path()).string() + "/maps";
+  if (std::filesystem::create_directories(inside)) {
+    std::filesystem::create_symlink("/etc", inside + "/out");
+  }
+  try {
+    const std::string path = config::pathInside(inside, asText(bytes, size));
+    require(path.rfind(inside + "/", 0) == 0, "a path outside of the folder");
+    require(path.find("/../") == std::string::npos, "a path that leads upwards");
+  } catch (const std::invalid_argument& error) {
+    require(std::string(error.what()).size() < 4000, "an answer that has no end");
   }
 }
 

@@ -9,6 +9,8 @@ const std::vector<Target>& targets() {
       {"messages", runMessages}, {"parameters", runParameters}, {"preset", runPreset},
       {"events", runEvents},     {"world", runWorld},           {"episodes", runEpisodes},
       {"drive", runDrive},       {"store", runStore},           {"text", runText},
+      {"mapper", runMapper},     {"memory", runMemory},         {"edits", runEdits},
+      {"paths", runPaths},
   };
   return targets;
 }

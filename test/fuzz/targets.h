@@ -29,6 +29,10 @@ void runWorld(const std::uint8_t* bytes, std::size_t size);
 void runEpisodes(const std::uint8_t* bytes, std::size_t size);
 void runDrive(const std::uint8_t* bytes, std::size_t size);
 void runStore(const std::uint8_t* bytes, std::size_t size);
+void runMapper(const std::uint8_t* bytes, std::size_t size);
+void runMemory(const std::uint8_t* bytes, std::size_t size);
+void runEdits(const std::uint8_t* bytes, std::size_t size);
+void runPaths(const std::uint8_t* bytes, std::size_t size);
 void runText(const std::uint8_t* bytes, std::size_t size);
 
 inline std::string asText(const std::uint8_t* bytes, std::size_t size) {

@@ -3,11 +3,15 @@
 #include <ros/serialization.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 
+#include "core/random_room.h"
 #include "core/store/later_store_fixture.h"
 #include "core/store/old_store_fixture.h"
+#include "core/store/packed_edits.h"
 #include "core/store/scans_fixture.h"
 #include "core/store/unfinished_change.h"
 #include "node/input/input_message.h"
@@ -114,6 +118,62 @@ void writeStores(const std::string& folder) {
   fs::remove(folder + "/hot-journal");
 }
 
+void write(const std::string& path, const core::BytePacker& bytes) {
+  writeFile(path, {bytes.bytes().begin(), bytes.bytes().end()});
+}
+
+// Round a room, as runMapper() reads it.
+void writeDrive(const std::string& folder) {
+  const core::RandomRoom room(7);
+  core::BytePacker bytes;
+  core::Pose2d pose{0.6, 0.0, core::kPi / 2.0};
+  for (int step = 0; step < 900; ++step) {
+    bytes.add(std::uint8_t{0}).add(std::int8_t{20}).add(std::int8_t{17});
+    pose = pose * core::Pose2d{0.08, 0.0, 0.136};
+    const core::Scan scan = room.scanFrom(pose);
+    for (std::size_t i = 0; i < 8; ++i) {
+      bytes.add(static_cast<std::uint8_t>(std::min(255.0, 50.0 * scan.readings[2 * i].range)));
+    }
+    if (step % 300 == 299) bytes.add(std::uint8_t{130});  // takes the map up
+  }
+  write(folder + "/drive", bytes);
+}
+
+// As runEdits() reads them.
+void writeEdits(const std::string& folder) {
+  core::PlaceAdded first{core::makePlace("a"), nullptr, nullptr};
+  first.place.id = 1;
+  first.grid = std::make_shared<core::EvidenceGrid>(core::makeGrid(1));
+  core::PlaceAdded second = first;
+  second.place = core::makePlace("b");
+  second.place.id = 2;
+  core::BytePacker bytes;
+  core::packEdits({first, second, core::LinkAdded{core::makeLink(1, 2)},
+                   core::LinkLearned{2, 1, core::makeLink(1, 2).forward},
+                   core::PlaceMoved{1, {1.0, 2.0, 0.5}, 1}, core::PlaceRenamed{2, "c"},
+                   core::GridAdapted{2, first.grid}, core::LinkRemoved{1, 2}, core::PlaceRemoved{1},
+                   core::MapCleared{}},
+                  bytes);
+  write(folder + "/edits", bytes);
+}
+
+// As runMemory() reads them.
+void writeQuestions(const std::string& folder) {
+  core::BytePacker bytes;
+  const std::int8_t a = 1;
+  const std::int8_t b = 2;
+  bytes.add(std::uint8_t{0}).add(std::string("kitchen"));
+  bytes.add(std::uint8_t{1}).add(std::string("kitchen")).add(std::string("hall"));
+  bytes.add(std::uint8_t{3}).add(a).add(b).add(std::int64_t{1000}).add(std::int64_t{2000});
+  bytes.add(std::uint8_t{0}).add(std::string("me"));
+  bytes.add(std::uint8_t{4}).add(a).add(std::uint8_t{3}).add(7.5).add(b).add(std::uint8_t{0});
+  bytes.add(std::uint8_t{7}).add(std::uint8_t{0}).add(std::uint8_t{0}).add(a).add(std::uint8_t{1});
+  bytes.add(b).add(std::uint8_t{1}).add(std::string("c")).add(std::uint8_t{1}).add(a).add(b);
+  bytes.add(std::uint8_t{2}).add(std::string("hall"));
+  bytes.add(std::uint8_t{5}).add(std::uint8_t{1});
+  write(folder + "/questions", bytes);
+}
+
 }  // namespace
 }  // namespace place_memory
 
@@ -123,9 +183,12 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::string folder = argv[1];
-  for (const char* const name : {"messages", "store"}) {
+  for (const char* const name : {"messages", "store", "mapper", "edits", "memory"}) {
     std::filesystem::create_directories(folder + "/" + name);
   }
   place_memory::writeMessages(folder + "/messages");
   place_memory::writeStores(folder + "/store");
+  place_memory::writeDrive(folder + "/mapper");
+  place_memory::writeEdits(folder + "/edits");
+  place_memory::writeQuestions(folder + "/memory");
 }

@@ -62,7 +62,8 @@ const std::map<std::string, Parts> kMayUse{
     {"core/route", {"core/map"}},
     {"core/drive", {"core/route", "core/sensing"}},
     {"core/store", {"core/map", "core/grid"}},
-    {"core/memory", {"core/drive", "core/mapping", "core/route", "core/store"}},
+    {"core/explore", {"core/mapping"}},
+    {"core/memory", {"core/drive", "core/explore", "core/route", "core/store"}},
 
     {"config", {"core/memory", "yaml-cpp"}},
 
@@ -74,17 +75,21 @@ const std::map<std::string, Parts> kMayUse{
     {"sim/robot", {"sim/building", "sim/senses"}},
     {"sim_node", {"sim/robot", "node"}},
 
-    {"node/base", {"config", "ros"}},
+    {"node/names", {}},  // of a robot and of whoever talks to it
+    {"node/base", {"config", "node/names", "ros"}},
     {"node/input", {"node/base"}},
     {"node/scan", {"node/input"}},
     {"node/answer", {"node"}},
     {"node/map", {"node"}},
     {"node/drive", {"node/scan"}},
-    {"node", {"config", "ros", "node/input", "node/scan", "node/answer", "node/map", "node/drive"}},
+    {"node/go", {"node/drive"}},
+    {"node",
+     {"config", "ros", "node/input", "node/scan", "node/answer", "node/map", "node/drive",
+      "node/go"}},
 
-    {"picture", {"core/memory", "boost"}},
+    {"picture", {"core/memory", "boost", "cairo"}},
     {"tools", {"config", "picture", "ros", "node/input", "node/scan", "node/drive"}},
-    {"rviz", {"support", "ros", "qt", "boost"}},
+    {"rviz", {"support", "node/names", "ros", "qt", "boost"}},
 
     {"lab", {"config", "picture", "sim/robot", "json"}},  // every folder of it
     {"lab/trials", {"lab"}},
@@ -93,7 +98,7 @@ const std::map<std::string, Parts> kMayUse{
     {"lab/benchmark", {"lab/trials", "google_benchmark"}},
     {"lab/mapping", {"lab/experiments"}},
     {"lab/reports", {"lab/trials"}},
-    {"lab/routes", {"lab"}},
+    {"lab/routes", {"lab/mapping"}},
 };
 
 /// Single files that may use more than their part, and why.
@@ -119,6 +124,7 @@ const std::vector<Rule>& headerRules() {
       {std::regex("yaml-cpp/.+"), "yaml-cpp"},
       {std::regex("nlohmann/.+"), "json"},
       {std::regex("sqlite3\\.h"), "sqlite"},
+      {std::regex("cairo/cairo\\.h"), "cairo"},
       {std::regex("immintrin\\.h|arm_neon\\.h"), "intrinsics"},
       {std::regex("Q[A-Za-z]+"), "qt"},
       {std::regex("[a-z_]+|(fcntl|malloc|unistd|pthread|sched|signal|sys/[a-z]+)\\.h"), "std"},

@@ -42,6 +42,11 @@ def listed_arguments(file):
     return listed
 
 
+def read_lines(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read().splitlines()
+
+
 class LaunchFilesTest(unittest.TestCase):
     def test_a_node_that_keeps_old_parameters_is_noticed(self):
         text = ('<launch><node name="a"/><node name="b"><param name="x" value="1"/></node>'
@@ -71,6 +76,14 @@ class LaunchFilesTest(unittest.TestCase):
                 for kind in listed_arguments(file).values():
                     for name, doc in kind.items():
                         self.assertNotEqual(doc, "undocumented", name)
+
+    def test_rviz_shows_the_same_by_day_and_by_night(self):
+        day, night = (read_lines(os.path.join(ROOT, "rviz", name))
+                      for name in ("place_memory.rviz", "place_memory_night.rviz"))
+        self.assertEqual(len(day), len(night))
+        differ = {line.split(":")[0].strip(" -") for pair in zip(day, night)
+                  for line in pair if pair[0] != pair[1]}
+        self.assertEqual(differ, {"Alpha", "Background Color"})
 
 
 if __name__ == "__main__":

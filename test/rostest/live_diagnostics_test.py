@@ -80,6 +80,18 @@ class LiveDiagnosticsTest(live_test.LiveTestCase):
                 self.robot.edit_range = lambda sensor, message: message
                 self.wait_for("sensors", DiagnosticStatus.OK)
 
+    def test_centimetres_are_named(self):
+        def centimetres(sensor, message):
+            for field in ("range", "min_range", "max_range"):
+                setattr(message, field, 100.0 * getattr(message, field))
+            return message
+
+        self.start_node()
+        self.robot.edit_range = centimetres
+        self.wait_for("sensors", DiagnosticStatus.WARN, "sonar_5 has a max_range", "in metres")
+        self.robot.edit_range = lambda sensor, message: message
+        self.wait_for("sensors", DiagnosticStatus.OK)
+
     def test_a_silent_sensor_is_named(self):
         self.start_node()
         self.wait_for("sensors", DiagnosticStatus.OK, "16 sensors")

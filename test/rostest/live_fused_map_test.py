@@ -127,8 +127,9 @@ class LiveFusedMapTest(live_test.LiveTestCase):
                                                 "1 places lie too far off", "map/max_cells"),
                        "a warning")
         self.assertIn("too far off", self.node.output())
-        message = self.map()
-        self.assertEqual(value_at(message, 0.6, 0.0), EMPTY)
+        # The warning may be said before the map that it is about is published.
+        message = self.wait_for_map(lambda fused: value_at(fused, 0.6, 0.0) == EMPTY,
+                                    "the map of what lies together")
         self.assertLess(len(message.data), 1000000)
 
     def test_map_saver_takes_it(self):

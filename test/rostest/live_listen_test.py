@@ -115,7 +115,14 @@ class LiveListenTest(live_test.LiveTestCase):
                 self.robot.edit_heading = lambda message: None
                 scan = self.begin_scan(headings=1, timeout=rospy.Duration(2))
                 self.assert_ended(scan, GoalStatus.ABORTED, ScanPlaceResult.NO_HEADING,
-                                  "no heading", "on heading")
+                                  "no heading", "on " + self.robot.heading.resolved_name)
+
+    def test_where_nothing_is_heard_the_topic_is_named_as_it_is_remapped(self):
+        self.start_node()
+        self.robot.edit_range = lambda sensor, message: None
+        scan = self.begin_scan(headings=1, timeout=rospy.Duration(2))
+        self.assert_ended(scan, GoalStatus.ABORTED, ScanPlaceResult.TIMEOUT,
+                          "is anything published on %s?" % self.robot.sonar.resolved_name)
 
     def test_headings_that_are_none(self):
         self.start_node()

@@ -5,6 +5,7 @@ import os
 import signal
 
 import live_test
+from fake_drive import FakeDrive
 from panel import Panel, PanelError
 
 HELD = 1.0  # the thread that draws is held no longer, also on a machine with much to do [s]
@@ -81,6 +82,34 @@ class LivePanelTest(live_test.LiveTestCase):
         self.panel.click("cancel")
         self.run_robot(lambda: not self.panel.greyed("scan"), "the scan to end")
         self.assertIn("scan: ", self.panel.shows("note"))
+
+    def drive(self):
+        """The panel beside a node that drives."""
+        drive = FakeDrive("/drive_%d" % os.getpid())
+        self.panel = Panel(os.path.join(self.folder, "panel.log"))
+        self.addCleanup(self.panel.close)
+        self.panel.ask("node", drive.name)
+        self.wait_for("places", "hall")
+        return drive
+
+    def test_the_robot_is_sent_to_a_place_and_explores(self):
+        drive = self.drive()
+        self.assertEqual(self.panel.greyed("go_to"), "choose a place in the list")
+        self.assertIn("does not offer ~scan", self.panel.greyed("scan"))
+        self.panel.ask("choose", "hall")
+        self.panel.click("go_to")
+        self.wait_for("note", "to the hall; goes; 2 legs and some 30 s left")
+        self.assertEqual([goal.label for goal in drive.go_to_place.goals], ["hall"])
+        self.assertEqual(self.panel.greyed("go_to"), "~go_to_place is under way")
+        drive.go_to_place.finish()
+        self.wait_for("note", "go_to_place: the robot is at the hall")
+        self.assertEqual(self.panel.greyed("go_to"), "")
+
+        self.panel.click("explore")
+        self.wait_for("note", "looks round; 3 places made, 2 openings to be seen, 12 m driven")
+        self.panel.click("cancel")
+        self.wait_for("note", "explore: it was canceled")
+        self.assertEqual(len(drive.explore.goals), 1)
 
     def test_it_is_greyed_while_the_node_is_away_and_back_after_its_restart(self):
         self.start()

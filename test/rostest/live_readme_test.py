@@ -50,7 +50,7 @@ class LiveReadmeTest(live_test.LiveTestCase):
         return output
 
     def test_every_example_works_as_printed(self):
-        self.start_node()
+        self.start_node(store_directory=self.folder)
         commands = read_commands(self.node.name)
         called = {command.split()[2].rsplit("/", 1)[1] for command in commands
                   if command.startswith("rosservice call")}

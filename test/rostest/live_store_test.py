@@ -65,6 +65,43 @@ class LiveStoreTest(live_test.LiveTestCase):
         response = self.node.call("learn_place", label="study")
         self.assert_answer(response, response.OK)
 
+    def test_on_a_full_disk_known_places_are_used_and_writing_resumes(self):
+        disk = os.path.join(self.folder, "disk")
+        os.mkdir(disk)
+        if not mount("-t", "tmpfs", "-o", "size=2m", "tmpfs", disk):
+            raise unittest.SkipTest("file systems can be mounted by root alone")
+        self.addCleanup(subprocess.run, ["umount", "-l", disk], check=True)
+        self.node_store = os.path.join(disk, "places.db")
+        self.start_node(store=self.node_store, mode="map")
+        self.learn("hall", sonar_room.HALL)
+        saved = self.node.call("save", path="saved.db")
+        self.assert_answer(saved, saved.OK)
+        with open(saved.path, "rb") as file:
+            before = file.read()
+        rubbish = os.path.join(disk, "rubbish")
+        with self.assertRaises(OSError), open(rubbish, "wb", buffering=0) as file:
+            while True:
+                file.write(bytes(4096))
+        self.robot.enter(sonar_room.HALL)
+        self.scan_well()
+        found = self.node.call("recognize_place").recognition
+        self.assertEqual((found.matches[0].label, found.verdict), ("hall", found.RECOGNIZED))
+        response = self.node.call("learn_place", label="study")
+        self.assert_answer(response, response.STORE_FAILED)
+        self.assertIn(self.node_store, response.message)
+        self.assertEqual(self.labels(), ["hall"])
+        response = self.node.call("save", path="saved.db")
+        self.assert_answer(response, response.STORE_FAILED)
+        with open(saved.path, "rb") as file:
+            self.assertEqual(file.read(), before)
+        os.remove(rubbish)
+        self.robot.enter(sonar_room.STUDY)
+        self.scan_well()
+        response = self.node.call("learn_place", label="study")
+        self.assert_answer(response, response.OK)
+        self.assertEqual(self.node.stop(), 0)
+        self.assertEqual(sorted(os.listdir(disk)), ["places.db", "saved.db"])
+
     def test_of_another_user_known_places_are_used(self):
         if os.geteuid() != 0:
             raise unittest.SkipTest("only root can give files to another user")

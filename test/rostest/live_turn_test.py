@@ -5,7 +5,7 @@ import math
 import os
 
 from place_memory.msg import ScanPlaceGoal, ScanPlaceResult
-from place_memory.srv import LearnPlaceResponse
+from place_memory.srv import LearnPlaceResponse, RecognizePlaceResponse
 import rosnode
 import rospy
 
@@ -102,6 +102,15 @@ class LiveTurnTest(live_test.LiveTestCase):
         self.robot.turn = lambda angle: None
         scan = self.begin_turn(timeout=rospy.Duration(2))
         self.assert_stopped(scan, GoalStatus.ABORTED, ScanPlaceResult.TIMEOUT, "first heading")
+
+    def test_who_asks_while_a_scan_runs_is_told(self):
+        self.start_node()
+        scan = self.begin_turn_under_way()
+        answer = self.node.call("recognize_place")
+        self.assertEqual(answer.status, RecognizePlaceResponse.NO_SCAN, answer.message)
+        self.assertIn("one is under way", answer.message)
+        self.assertEqual(self.finish(scan).status, ScanPlaceResult.SUCCEEDED)
+        self.assertNotIn("under way", self.node.call("recognize_place").message)
 
     def test_a_base_that_turns_the_other_way_is_stopped(self):
         self.start_node()

@@ -17,7 +17,7 @@ Presence there(const std::string& incarnation = "robot:1") {
   Presence presence;
   presence.kind = Presence::Kind::kThere;
   presence.services = {"learn_place", "recognize_place", "rename_place"};
-  presence.actions = {"scan"};
+  presence.actions = {"scan", "go_to_place"};
   presence.incarnation = incarnation;
   return presence;
 }
@@ -78,6 +78,21 @@ TEST_F(PanelStateTest, APlaceMustBeChosenToBeRenamed) {
   EXPECT_EQ(why(Command::kRename, true), "");
 }
 
+TEST_F(PanelStateTest, APlaceMustBeChosenToBeGoneTo) {
+  EXPECT_EQ(why(Command::kGoTo, false), "choose a place in the list");
+  EXPECT_EQ(why(Command::kGoTo, true), "");
+}
+
+TEST_F(PanelStateTest, ItExploresInModeMapAlone) {
+  Presence presence = there();
+  presence.actions.insert("explore");
+  state_.setPresence(presence);
+  state_.setMode("localize");
+  EXPECT_EQ(why(Command::kExplore), "it explores in mode map alone; the mode is localize");
+  state_.setMode("map");
+  EXPECT_EQ(why(Command::kExplore), "");
+}
+
 TEST_F(PanelStateTest, OneAnswerIsWaitedForAtATime) {
   state_.beginCall("learn_place");
   EXPECT_EQ(why(Command::kLearn), "waiting for the answer of ~learn_place");
@@ -119,7 +134,7 @@ TEST_F(PanelStateTest, AMapThatWasOvertakenOnItsWayIsAskedForAgain) {
 TEST_F(PanelStateTest, AGoalIsUnderWayUntilItsResult) {
   state_.sendGoal("scan", "a", kNow);
   EXPECT_EQ(why(Command::kScan), "~scan is under way");
-  state_.hearProgress("scan", "a", 0.25, "turn on", kNow);
+  state_.hearProgress("scan", "a", {0.25, {}, "turn on"}, kNow);
   EXPECT_EQ(state_.view().goals.at("scan").fraction, 0.25);
   EXPECT_EQ(state_.view().goals.at("scan").message, "turn on");
   state_.endGoal("scan", "a", "scan: 176 readings", false);
@@ -127,15 +142,33 @@ TEST_F(PanelStateTest, AGoalIsUnderWayUntilItsResult) {
   EXPECT_EQ(state_.view().note.text, "scan: 176 readings");
 }
 
+TEST_F(PanelStateTest, OfTheTimeThatADriveTakesThatIsDoneWhichIsNotLeft) {
+  state_.sendGoal("go_to_place", "a", kNow);
+  state_.hearProgress("go_to_place", "a", {{}, 40.0, ""}, kNow);
+  EXPECT_EQ(state_.view().goals.at("go_to_place").fraction, 0.0);
+  state_.hearProgress("go_to_place", "a", {{}, 10.0, ""}, kNow);
+  EXPECT_EQ(state_.view().goals.at("go_to_place").fraction, 0.75);
+  state_.hearProgress("go_to_place", "a", {{}, 80.0, ""}, kNow);  // a link was blocked
+  EXPECT_EQ(state_.view().goals.at("go_to_place").fraction, 0.0);
+  state_.hearProgress("go_to_place", "b", {{}, 20.0, ""}, kNow);
+  EXPECT_EQ(state_.view().goals.at("go_to_place").fraction, 0.0) << "a new goal begins anew";
+}
+
+TEST_F(PanelStateTest, HowMuchOfAGoalIsDoneNeedNotBeKnown) {
+  state_.hearProgress("explore", "a", {{}, {}, "looks round"}, kNow);
+  EXPECT_FALSE(state_.view().goals.at("explore").fraction.has_value());
+  EXPECT_EQ(state_.view().goals.at("explore").message, "looks round");
+}
+
 TEST_F(PanelStateTest, AGoalOfSomebodyElseIsShownToo) {
-  state_.hearProgress("scan", "theirs", 0.5, "", kNow);
+  state_.hearProgress("scan", "theirs", {0.5, {}, ""}, kNow);
   EXPECT_EQ(state_.view().goals.at("scan").fraction, 0.5);
 }
 
 TEST_F(PanelStateTest, ProgressThatComesAfterTheResultDoesNotBeginAnew) {
   state_.sendGoal("scan", "a", kNow);
   state_.endGoal("scan", "a", "scan: done", false);
-  state_.hearProgress("scan", "a", 0.9, "", kNow);
+  state_.hearProgress("scan", "a", {0.9, {}, ""}, kNow);
   EXPECT_TRUE(state_.view().goals.empty());
 }
 
@@ -163,7 +196,7 @@ TEST_F(PanelStateTest, AGoalThatTheNodeKnowsMayTakeItsTime) {
 }
 
 TEST_F(PanelStateTest, ANodeThatGoesAwayEndsItsGoalsWithAWord) {
-  state_.hearProgress("scan", "a", 0.5, "", kNow);
+  state_.hearProgress("scan", "a", {0.5, {}, ""}, kNow);
   state_.setPresence(away());
   EXPECT_TRUE(state_.view().goals.empty());
   EXPECT_NE(state_.view().note.text.find("does not run"), std::string::npos);
@@ -171,7 +204,7 @@ TEST_F(PanelStateTest, ANodeThatGoesAwayEndsItsGoalsWithAWord) {
 }
 
 TEST_F(PanelStateTest, ARestartThatNobodySawEndsThemToo) {
-  state_.hearProgress("scan", "a", 0.5, "", kNow);
+  state_.hearProgress("scan", "a", {0.5, {}, ""}, kNow);
   state_.setPresence(there("robot:2"));
   EXPECT_TRUE(state_.view().goals.empty());
   EXPECT_NE(state_.view().note.text.find("was started anew"), std::string::npos);
@@ -234,6 +267,34 @@ TEST_F(PanelStateTest, ABeliefThatIsCutShortIsSurvived) {
   belief.probabilities = {0.5};
   state_.setBelief(belief);
   EXPECT_EQ(state_.view().belief.size(), 1U);
+}
+
+TEST_F(PanelStateTest, APlaceIsChosenByAClick) {
+  visualization_msgs::InteractiveMarkerFeedback click;
+  click.marker_name = "place 12";
+  click.event_type = click.BUTTON_CLICK;
+  state_.hearClick(click);
+  EXPECT_EQ(state_.view().chosen.count, 1U);
+  EXPECT_EQ(state_.view().chosen.id, 12);
+  EXPECT_FALSE(state_.view().chosen.is_to_be_renamed);
+  click.event_type = click.MENU_SELECT;
+  click.menu_entry_id = 3;
+  state_.hearClick(click);
+  EXPECT_EQ(state_.view().chosen.count, 2U);
+  EXPECT_TRUE(state_.view().chosen.is_to_be_renamed);
+}
+
+TEST_F(PanelStateTest, WhatIsNoClickOnAPlaceChoosesNone) {
+  visualization_msgs::InteractiveMarkerFeedback click;
+  for (const char* name : {"", "place ", "place x", "waypoint 3", "place 99999999999999999999"}) {
+    click.event_type = click.BUTTON_CLICK;
+    click.marker_name = name;
+    state_.hearClick(click);
+  }
+  click.marker_name = "place 1";
+  click.event_type = click.POSE_UPDATE;
+  state_.hearClick(click);
+  EXPECT_EQ(state_.view().chosen.count, 0U);
 }
 
 TEST_F(PanelStateTest, EventsAreSaid) {

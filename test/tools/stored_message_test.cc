@@ -66,7 +66,7 @@ TEST(OriginOf, IsThatOfTheFirstTransform) {
 TEST(OriginOf, WhatIsCutHasNone) {
   sensor_msgs::Range range;
   range.header.frame_id = "sonar_3";
-  for (const std::size_t size : {0, 3, 11, 15, 18}) {
+  for (const std::size_t size : {0U, 3U, 11U, 15U, 18U}) {
     StoredMessage message = stored(range);
     message.bytes.resize(size);
     EXPECT_FALSE(originOf(message, StampLayout::kHeader).has_value()) << size;

@@ -42,7 +42,7 @@ class PLACE_MEMORY_PUBLIC PlaceMemoryError : public std::runtime_error {
     kStoreFailed,       ///< the store could not be read or written; the memory is as it was
     kNoEcho,            ///< no echo lies in the scan's grid: nothing could be recognized by it
     kUnknownLink,       ///< the two places are not linked
-    kInvalidTraversal,  ///< ends before it begins, a toll below 0, a source that is no text
+    kInvalidTraversal,  ///< ends before it begins or after now, a toll below 0, a source of no text
     kOtherStore,        ///< another store's file could not be read; the memory is as it was
     kNothingToUndo,     ///< the history is shorter than that
     kCannotUndo,        ///< the map has changed since, or what was there was too much to be kept

@@ -13,7 +13,8 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 void EchoRing::hear(SensorId sensor, std::chrono::nanoseconds stamp, const Pose2d& base_from_sensor,
                     double range) {
-  heard_[sensor] = {stamp, base_from_sensor, range};
+  const long bearing = std::lround(wrapAngle(base_from_sensor.yaw) * 180.0 / kPi);
+  heard_[{sensor, bearing}] = {stamp, base_from_sensor, range};
 }
 
 template <class Take>

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <map>
+#include <utility>
 
 #include "core/sensing/measurement.h"
 #include "place_memory/core/pose2d.h"
@@ -15,7 +16,8 @@ class EchoRing {
   /// What was heard longer ago than `memory` says nothing any more.
   explicit EchoRing(std::chrono::nanoseconds memory) : memory_(memory) {}
 
-  /// `range` [m]; infinite: no echo.
+  /// `range` [m]; infinite: no echo. A sensor that has many cones, as a laser, is heard in each of
+  /// them.
   void hear(SensorId sensor, std::chrono::nanoseconds stamp, const Pose2d& base_from_sensor,
             double range);
 
@@ -41,7 +43,7 @@ class EchoRing {
   void forEachEcho(std::chrono::nanoseconds now, const Take& take) const;
 
   std::chrono::nanoseconds memory_;
-  std::map<SensorId, Heard> heard_;
+  std::map<std::pair<SensorId, long>, Heard> heard_;  // by sensor and bearing [degrees]
 };
 
 }  // namespace place_memory::core

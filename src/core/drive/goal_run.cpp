@@ -35,11 +35,9 @@ GoalRun::GoalRun(Hooks hooks, std::optional<Pose2d> goal, std::string source)
 void GoalRun::begin(const Pose2d& robot, std::chrono::nanoseconds now) {
   planFrom(kNoPlace, now);
   if (isOver() || !leg_) return;
-  const Place& first = plan_.best.front();
-  const Pose2d stand = standAt(first);
-  if (between(robot, stand) <= kAtPlace) return;
-  // Where the route is one place long this is the whole way.
-  take({kNoPlace, first.id, first.label, stand, false}, now);
+  if (between(robot, leg_->target) > kAtPlace) return;
+  leg_.reset();
+  next(now);
 }
 
 void GoalRun::planFrom(PlaceId place, std::chrono::nanoseconds now) {
@@ -50,7 +48,10 @@ void GoalRun::planFrom(PlaceId place, std::chrono::nanoseconds now) {
     end(outcomeOf(plan_.answer.status), plan_.answer.reason);
     return;
   }
-  next(now);
+  if (place != kNoPlace) return next(now);
+  // Where the route is one place long this is the whole way.
+  const Place& first = plan_.best.front();
+  take({kNoPlace, first.id, first.label, standAt(first), false}, now);
 }
 
 void GoalRun::take(Leg leg, std::chrono::nanoseconds now) {
@@ -113,6 +114,18 @@ void GoalRun::placeRemoved(PlaceId id, std::chrono::nanoseconds now) {
   if (is_on_the_way) planFrom(kNoPlace, now);
 }
 
+void GoalRun::follow(const std::function<std::optional<Place>(PlaceId)>& find,
+                     std::chrono::nanoseconds now) {
+  for (Place& place : plan_.best) {
+    const std::optional<Place> now_so = find(place.id);
+    if (!now_so) return placeRemoved(place.id, now);
+    place = *now_so;
+    if (!leg_ || leg_->to != place.id) continue;
+    leg_->label = place.label;
+    leg_->target = standAt(place);
+  }
+}
+
 void GoalRun::end(Outcome outcome, const std::string& message) {
   if (isOver()) return;
   leg_.reset();
@@ -135,8 +148,9 @@ std::string GoalRun::inWords(const Leg& leg) const {
 
 std::size_t GoalRun::legsLeft() const {
   if (isOver() || !leg_) return 0;
+  const bool is_before_the_route = !leg_->back && leg_->from == kNoPlace && leg_->to != kNoPlace;
   const std::size_t after = leg_->back ? 0 : plan_.best.size() - 1 - at_;
-  return std::max<std::size_t>(after, 1) + (goal_ ? 1 : 0);
+  return std::max<std::size_t>(after + (is_before_the_route ? 1 : 0) + (goal_ ? 1 : 0), 1);
 }
 
 double GoalRun::timeLeft(double distance) const {

@@ -59,6 +59,9 @@ class GoalRun {
   void blocked(const std::string& why, std::chrono::nanoseconds now);
   /// Where the next place or the goal is gone, the route is planned anew or the run is over.
   void placeRemoved(PlaceId id, std::chrono::nanoseconds now);
+  /// The map has changed: names and poses are those of now, and places that are gone are removed.
+  void follow(const std::function<std::optional<Place>(PlaceId)>& find,
+              std::chrono::nanoseconds now);
   void end(Outcome outcome, const std::string& message);
 
   bool isOver() const { return outcome_ != Outcome::kUnderWay; }
@@ -73,8 +76,11 @@ class GoalRun {
   std::size_t legsLeft() const;
   /// Expected time until the goal is reached, where `distance` of the leg is left [m], [s].
   double timeLeft(double distance) const;
+  /// The current leg; "" without one.
+  std::string legInWords() const { return leg_ ? inWords(*leg_) : std::string(); }
 
  private:
+  /// kNoPlace: from where the robot is, and first of all to the place where the route begins.
   void planFrom(PlaceId place, std::chrono::nanoseconds now);
   void next(std::chrono::nanoseconds now);
   void take(Leg leg, std::chrono::nanoseconds now);

@@ -88,7 +88,11 @@ Velocity LegDriver::update(std::chrono::nanoseconds stamp, const Pose2d& base,
     return stop(State::kBlind, "no sonar that looks ahead is heard");
   }
   const double error = wrapAngle(std::atan2(target_.y - base.y, target_.x - base.x) - base.yaw);
-  if (isStuck(now, error)) return stop(State::kBlocked, "the robot does not get nearer");
+  if (isStuck(now, error)) {
+    // What it touches it may not hear.
+    why_ = "the robot does not get nearer";
+    return backOff(now, base, echoes, stamp);
+  }
   // What stands beyond the target is not in the way.
   const double ahead = echoes.ahead(stamp, options_.radius);
   const double room = ahead - options_.radius - options_.clearance;

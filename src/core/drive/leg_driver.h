@@ -42,6 +42,9 @@ class LegDriver {
   LegDriver(const LegDriverOptions& options, const Pose2d& target)
       : options_(options), target_(target) {}
 
+  /// The map has moved under the robot.
+  void setTarget(const Pose2d& target) { target_ = target; }
+
   Velocity update(std::chrono::nanoseconds now, const Pose2d& base, const EchoRing& echoes);
 
   State state() const { return state_; }

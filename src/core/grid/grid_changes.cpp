@@ -54,7 +54,7 @@ GridChange changeOf(const std::vector<At>& cells, const GridGeometry& geometry, 
   change.appeared = appeared;
   change.cells = cells.size();
   At least = cells.front();
-  At most = cells.front();
+  At most = least;
   for (const At& cell : cells) {
     change.x += geometry.centre(cell.column) / static_cast<double>(cells.size());
     change.y += geometry.centre(cell.row) / static_cast<double>(cells.size());

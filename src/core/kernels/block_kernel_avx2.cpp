@@ -22,10 +22,12 @@ constexpr std::size_t kFours = 16;     ///< groups of four cells in a row
 constexpr std::size_t kRowsTogether = 2;
 constexpr std::size_t kFoursTogether = kRowsTogether * kFours;
 
-/// By the occupied (low half of the first index) and the empty ones (high half) of four cells of a
-/// place: how many of either are in each subset of the four, in the same halves of a byte.
+/// By the occupied (low half of the table's number) and the empty ones (high half) of four cells of
+/// a place: how many of either are in each subset of the four, in the same halves of a byte.
 struct PairTables {
-  alignas(64) std::uint8_t of[256][16];
+  static constexpr std::size_t kSubsets = 16;
+
+  alignas(64) std::uint8_t of[256 * kSubsets];
 };
 
 constexpr PairTables makePairTables() {
@@ -33,8 +35,8 @@ constexpr PairTables makePairTables() {
   for (unsigned cells = 0; cells < 256; ++cells) {
     for (unsigned bit = 0; bit < 4; ++bit) {
       const unsigned pair = (cells >> bit & 1U) + 16 * (cells >> bit >> 4U & 1U);
-      for (unsigned subset = 0; subset < 16; ++subset) {
-        std::uint8_t& pairs = tables.of[cells][subset];
+      for (unsigned subset = 0; subset < PairTables::kSubsets; ++subset) {
+        std::uint8_t& pairs = tables.of[cells * PairTables::kSubsets + subset];
         if ((subset >> bit & 1U) != 0) pairs = static_cast<std::uint8_t>(pairs + pair);
       }
     }
@@ -130,7 +132,7 @@ PLACE_MEMORY_AVX2 void split(const QueryRow* const* transforms, std::size_t row,
 
 PLACE_MEMORY_AVX2 Pairs lookUp(const std::uint16_t* place, const QueryFours& query, std::size_t i) {
   const __m256i table = _mm256_broadcastsi128_si256(
-      _mm_load_si128(reinterpret_cast<const __m128i*>(kPairTables.of[0] + place[i])));
+      _mm_load_si128(reinterpret_cast<const __m128i*>(kPairTables.of + place[i])));
   return {_mm256_shuffle_epi8(table, query.occupied[i]),
           _mm256_shuffle_epi8(table, query.empty[i])};
 }

@@ -11,6 +11,9 @@ namespace {
 using Reason = PlaceMemoryError::Reason;
 using std::chrono::nanoseconds;
 
+// Clocks of two machines differ by no more.
+constexpr nanoseconds kMostAhead = std::chrono::seconds(10);
+
 constexpr char kScans[] = "scans";  // of which one was RECOGNIZED, or learned, after the other
 
 [[noreturn]] void refuse(Reason reason, const std::string& why) {
@@ -40,9 +43,14 @@ LinkDirection& directionOf(PlaceLink& link, PlaceId from) {
   return from == link.first ? link.forward : link.backward;
 }
 
-void requireSound(const Traversal& traversal) {
+void requireSound(const Traversal& traversal, nanoseconds now) {
   if (traversal.begin > traversal.end) {
     refuse(Reason::kInvalidTraversal, "the traversal ends before it begins");
+  }
+  // A link would not forget it before that time comes.
+  if (traversal.end > now + kMostAhead) {
+    refuse(Reason::kInvalidTraversal,
+           "the traversal ends later than now: is the clock right where it is reported?");
   }
   if (!traversal.source.empty() && !isValidLabel(traversal.source)) {
     refuse(Reason::kInvalidTraversal, "the source has up to " + std::to_string(kMaxLabelBytes) +
@@ -75,7 +83,7 @@ std::optional<LinkLearned> PlaceMemory::Impl::learnedBy(const Traversal& travers
 }
 
 void PlaceMemory::Impl::reportTraversal(const Traversal& traversal) {
-  requireSound(traversal);
+  requireSound(traversal, writer_.now());
   queue_.run([&] {
     requireLink(state_.map, traversal.from, traversal.to);
     writer_.commit({*learnedBy(traversal)});

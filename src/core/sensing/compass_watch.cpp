@@ -81,6 +81,14 @@ std::optional<std::chrono::nanoseconds> CompassWatch::newest() const {
   return samples_.back().stamp;
 }
 
+bool CompassWatch::agree(std::chrono::nanoseconds from) const {
+  std::vector<Pair> all;
+  for (const Sample& s : samples_) {
+    if (s.stamp >= from) all.push_back({s.heading, s.yaw});
+  }
+  return all.size() >= kFewest && odometryOf(all) >= kOdometryTurned && slope(all) >= kFollows;
+}
+
 std::optional<CompassWatch::Finding> CompassWatch::find(std::chrono::nanoseconds from) const {
   std::vector<Pair> all;
   std::vector<Pair> late;

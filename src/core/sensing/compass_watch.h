@@ -31,6 +31,8 @@ class CompassWatch {
   /// 0.35 rad within ten seconds. A compass that errs with the heading, as all do, is none of
   /// those.
   std::optional<Finding> find(std::chrono::nanoseconds from) const;
+  /// Whether, from the stamp on, odometry has turned by 0.2 rad, and the compass with it.
+  bool agree(std::chrono::nanoseconds from) const;
   std::optional<std::chrono::nanoseconds> newest() const;
 
  private:

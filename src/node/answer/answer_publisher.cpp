@@ -8,7 +8,7 @@
 
 #include "node/base/cell_marker.h"
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {
@@ -65,6 +65,18 @@ void AnswerPublisher::overtake() {
   const core::Whereabouts whereabouts = memory_.whereabouts();
   newest_ = whereabouts.version;
   publishCurrentPlaceLocked(whereabouts);
+}
+
+void AnswerPublisher::showPlace(core::PlaceId id) {
+  const core::EvidenceGrid grid = memory_.grid(id);
+  const std::optional<core::Place> place = memory_.place(id);
+  if (!place) return;  // it went meanwhile
+  const std_msgs::Header header = makeHeader(parameters_.map_frame, ros::Time());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  matched_grid_.publish(
+      toOccupancyGrid(grid, place->map_from_place, header, parameters_.sonar.prior));
+  matched_cells_.publish(
+      toCellMarker(grid, place->map_from_place, header, kRecalledColor, kRecalledLevel));
 }
 
 void AnswerPublisher::publishPose(const geometry_msgs::PoseWithCovarianceStamped& pose) {

@@ -38,6 +38,10 @@ class AnswerPublisher {
   /// A place was learned, or the robot was carried: answers to what was asked before are overtaken.
   void overtake();
 
+  /// Recalls a place that nothing was matched with: its grid, where it lies in the map. Throws
+  /// PlaceMemoryError.
+  void showPlace(core::PlaceId id);
+
   /// Where a drive has the robot.
   void publishPose(const geometry_msgs::PoseWithCovarianceStamped& pose);
 

@@ -7,6 +7,8 @@
 namespace place_memory::node {
 namespace {
 
+constexpr char kWait[] = "one is under way: wait for the result of the action ~scan";
+
 std::string wholeSeconds(double seconds) { return std::to_string(std::lround(seconds)) + " s"; }
 
 }  // namespace
@@ -24,6 +26,11 @@ void KeptScans::drop() {
   scans_.clear();
 }
 
+void KeptScans::setUnderWay(bool under_way) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  under_way_ = under_way;
+}
+
 std::shared_ptr<const core::Scan> KeptScans::find(std::uint64_t id) const {
   if (scans_.empty()) return nullptr;
   if (id == 0) return scans_.front();
@@ -36,7 +43,10 @@ ScanChoice KeptScans::choose(std::uint64_t id, std::chrono::nanoseconds now) con
   using Problem = ScanChoice::Problem;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (scans_.empty()) {
-    return {Problem::kNoScan, "there is no scan: call the action ~scan first", nullptr};
+    return {Problem::kNoScan,
+            under_way_ ? std::string("there is no scan yet, ") + kWait
+                       : "there is no scan: call the action ~scan first",
+            nullptr};
   }
   std::shared_ptr<const core::Scan> scan = find(id);
   if (!scan) {
@@ -52,7 +62,9 @@ ScanChoice KeptScans::choose(std::uint64_t id, std::chrono::nanoseconds now) con
                 wholeSeconds(max_age_) + ": scan again",
             nullptr};
   }
-  return {Problem::kNone, "", std::move(scan)};
+  std::string note;
+  if (under_way_ && id == 0) note = std::string("by the scan before, since ") + kWait;
+  return {Problem::kNone, note, std::move(scan)};
 }
 
 }  // namespace place_memory::node

@@ -23,7 +23,8 @@ struct ScanChoice {
   };
 
   Problem problem = Problem::kNone;
-  std::string message;                     ///< what to do about it, a sentence; "" with kNone
+  std::string message;                     ///< what to do about it, a sentence; with kNone what
+                                           ///< should be known of the scan, or ""
   std::shared_ptr<const core::Scan> scan;  ///< set with kNone
 };
 
@@ -37,6 +38,8 @@ class KeptScans {
 
   void add(std::shared_ptr<const core::Scan> scan);
   void drop();
+  /// A scan runs that is not among these yet: who asks for the newest one is told.
+  void setUnderWay(bool under_way);
 
   /// `id` 0: the newest. `now` is on the clock of Scan::end.
   ScanChoice choose(std::uint64_t id, std::chrono::nanoseconds now) const;
@@ -47,6 +50,7 @@ class KeptScans {
   const double max_age_;
   mutable std::mutex mutex_;
   std::deque<std::shared_ptr<const core::Scan>> scans_;  // by rising age
+  bool under_way_ = false;
 };
 
 }  // namespace place_memory::node

@@ -12,9 +12,9 @@
 #include "node/answer/guarded_service.h"
 #include "node/answer/service_status.h"
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
 #include "node/base/ros_time.h"
 #include "node/map/map_messages.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {
@@ -25,19 +25,19 @@ constexpr std::uint32_t kMatchThreads = 2;
 // Pi as people write it, such as 3.142, stands for pi.
 constexpr double kPiTolerance = 1e-3;
 
-// The scan that a client asks for; nullptr where there is none, which is then the answer.
+// The scan that a client asks for, and what should be known of it; without a scan the response is
+// the answer.
 template <class Response>
-std::shared_ptr<const core::Scan> takeScan(const KeptScans& scans, std::uint64_t id,
-                                           Response& response) {
+ScanChoice takeScan(const KeptScans& scans, std::uint64_t id, Response& response) {
   if (!ros::Time::isValid()) {
     response.status = Response::NO_TIME;
     response.message = kNoTimeMessage;
-    return nullptr;
+    return {};
   }
   ScanChoice choice = scans.choose(id, rosNow());
   response.status = toStatus<Response>(choice.problem);
   response.message = choice.message;
-  return choice.scan;
+  return choice;
 }
 
 }  // namespace
@@ -73,11 +73,10 @@ PlaceServices::~PlaceServices() {
 }
 
 void PlaceServices::learn(const LearnPlace::Request& request, LearnPlace::Response& response) {
-  const std::shared_ptr<const core::Scan> scan =
-      takeScan(context_.scans, request.scan_id, response);
-  if (!scan) return;
+  const ScanChoice choice = takeScan(context_.scans, request.scan_id, response);
+  if (!choice.scan) return;
   const core::PlaceMemory::Learned learned =
-      context_.driver.learn(*scan, request.label, request.force != 0);
+      context_.driver.learn(*choice.scan, request.label, request.force != 0);
   context_.publisher.overtake();
   response.place_id = learned.place.id;
   response.label = learned.place.label;
@@ -88,7 +87,8 @@ void PlaceServices::learn(const LearnPlace::Request& request, LearnPlace::Respon
   if (!context_.store_problem.empty()) {
     response.message += ", in memory only: " + context_.store_problem;
   }
-  ROS_INFO("Scan %lu: %s", static_cast<unsigned long>(scan->id), response.message.c_str());
+  if (!choice.message.empty()) response.message += "; " + choice.message;
+  ROS_INFO("Scan %lu: %s", static_cast<unsigned long>(choice.scan->id), response.message.c_str());
 }
 
 void PlaceServices::recognize(const RecognizePlace::Request& request,
@@ -100,11 +100,11 @@ void PlaceServices::recognize(const RecognizePlace::Request& request,
     response.message = "heading_window must lie in [0, pi] radians";
     return;
   }
-  const std::shared_ptr<const core::Scan> scan =
-      takeScan(context_.scans, request.scan_id, response);
-  if (!scan) return;
-  match(*scan, asked == 0.0 ? std::nullopt : std::optional<double>(std::min(asked, core::kPi)),
-        response);
+  const ScanChoice choice = takeScan(context_.scans, request.scan_id, response);
+  if (!choice.scan) return;
+  match(*choice.scan,
+        asked == 0.0 ? std::nullopt : std::optional<double>(std::min(asked, core::kPi)), response);
+  if (!choice.message.empty()) response.message += "; " + choice.message;
 }
 
 void PlaceServices::match(const core::Scan& scan, std::optional<double> window,

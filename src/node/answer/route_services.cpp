@@ -11,8 +11,8 @@
 #include "node/answer/answer_words.h"
 #include "node/answer/guarded_service.h"
 #include "node/answer/route_messages.h"
-#include "node/base/node_names.h"
 #include "node/base/ros_time.h"
+#include "node/names/node_names.h"
 #include "support/text.h"
 
 namespace place_memory::node {

@@ -13,10 +13,12 @@
 #include "node/answer/answer_words.h"
 #include "node/answer/guarded_service.h"
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {
+
+constexpr int kMostTries = 20;  // to write a map that others change
 
 /// The path that a client names; nothing where it is refused, which is then the answer.
 template <class Response>
@@ -48,6 +50,24 @@ std::string inWords(const core::MergeReport& report) {
     words += "; " + countInWords(report.collisions.size(), "label") + " changed, see collisions";
   }
   return words;
+}
+
+/// Returns of how many places.
+std::size_t exportTo(const std::string& path, const core::PlaceMemory& memory,
+                     const config::Parameters& parameters, std::vector<std::string>& files) {
+  for (int tries = 1;; ++tries) {
+    const core::MapSnapshot map = memory.map();
+    try {
+      files = core::exportMap(
+          map, [&memory](core::PlaceId id) { return memory.grid(id); }, parameters.grid.cell_size,
+          parameters.sonar.prior, path);
+      return map.places.size();
+    } catch (const core::PlaceMemoryError& error) {
+      // A place was removed meanwhile: it is not in the map as that is now.
+      const bool is_gone = error.reason() == core::PlaceMemoryError::Reason::kUnknownPlace;
+      if (!is_gone || tries == kMostTries) throw;
+    }
+  }
 }
 
 }  // namespace
@@ -116,19 +136,16 @@ void StoreServices::exportMap(const Export::Request& request, Export::Response& 
     response.message = *path + " is no folder: name one";
     return;
   }
-  const core::MapSnapshot map = memory_.map();
   try {
-    response.files = core::exportMap(
-        map, [this](core::PlaceId id) { return memory_.grid(id); }, parameters_.grid.cell_size,
-        parameters_.sonar.prior, *path);
+    response.message = "wrote " +
+                       placesInWords(exportTo(*path, memory_, parameters_, response.files)) +
+                       " into " + *path;
   } catch (const core::PlaceMemoryError&) {
     throw;
   } catch (const std::runtime_error& error) {
     response.status = Export::Response::STORE_FAILED;
     response.message = error.what();
-    return;
   }
-  response.message = "wrote " + placesInWords(map.places.size()) + " into " + *path;
 }
 
 void StoreServices::undo(const Undo::Request& request, Undo::Response& response) {

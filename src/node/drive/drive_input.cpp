@@ -56,7 +56,14 @@ void DriveInput::take(const Taken& taken) {
 
 void DriveInput::take(const geometry_msgs::TransformStamped& transform, bool is_static) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  // The stamp is looked at below.
+  if (const auto problem = checkTransform(transform, true, {})) {
+    batch_.losses.problem = "a transform was left out: " + *problem;
+    return;
+  }
   if (is_static) {
+    const auto known = statics_.find(transform.child_frame_id);
+    if (known == statics_.end() && statics_.size() >= kMostFrames) return;
     statics_[transform.child_frame_id] = transform;
     if (!on_) return;
     batch_.statics.push_back(transform);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
 #include "node/drive/belief_markers.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {

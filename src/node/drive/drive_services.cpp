@@ -3,13 +3,15 @@
 #include <ros/console.h>
 #include <ros/this_node.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <optional>
 
-#include "node/base/node_names.h"
 #include "node/drive/drive_publisher.h"
 #include "node/input/planar.h"
+#include "node/input/transform_filter.h"
+#include "node/names/node_names.h"
 #include "support/text.h"
 
 namespace place_memory::node {
@@ -136,6 +138,7 @@ std::string DriveServices::problemOf(const InitialPose& message) const {
   const double norm = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   // Written so that NaN fails.
   if (!std::isfinite(p.x + p.y + norm) || !(norm > 0.1)) return "it holds no pose";
+  if (std::max(std::abs(p.x), std::abs(p.y)) > kFarthest) return "nothing lies so far away";
   return {};
 }
 

@@ -80,7 +80,7 @@ void MapDriver::take(DriveInput::Batch batch) {
   const nanoseconds steady = steadyNow();
   std::vector<DriveMoment> ready;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<support::TurnMutex> lock(mutex_);
     if (!run_) return;
     if (batch.jumped) {
       run_->order.clear();
@@ -103,11 +103,11 @@ void MapDriver::take(DriveInput::Batch batch) {
   }
   // Who asks for something has its turn between two moments.
   for (const DriveMoment& moment : ready) {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<support::TurnMutex> lock(mutex_);
     if (!run_) return;
     run_->feed.take(moment);
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
   if (run_) keepIfDue();
 }
 
@@ -174,7 +174,7 @@ void MapDriver::follow(const std::vector<core::ScanDecision>& decisions) {
 }
 
 bool MapDriver::setMode(config::Mode mode) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
   const config::Mode before = this->mode();
   if (mode == before) return true;
   const core::MapperMode wanted =
@@ -246,7 +246,7 @@ config::Mode MapDriver::mode() const {
 }
 
 bool MapDriver::relocalize() {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
   if (!run_) return false;
   run_->to_mapper.restart();
   {
@@ -259,7 +259,7 @@ bool MapDriver::relocalize() {
 }
 
 bool MapDriver::setPose(const core::Pose2d& map_from_base) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
   if (!run_ || !run_->to_mapper.newest()) return false;
   run_->mapper.setPose(map_from_base);
   {
@@ -282,7 +282,7 @@ std::optional<core::BeliefSummary> MapDriver::belief() const {
 }
 
 MapDriver::Health MapDriver::health() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
   Health health;
   health.mode = mode();
   health.keep_problem = keep_problem_;

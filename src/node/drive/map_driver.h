@@ -20,6 +20,7 @@
 #include "node/drive/map_correction.h"
 #include "node/drive/mapper_feed.h"
 #include "place_memory/core/place_memory.h"
+#include "support/turn_mutex.h"
 
 namespace place_memory::node {
 
@@ -119,8 +120,10 @@ class MapDriver {
   const Callbacks callbacks_;
   DriveInput input_;
 
-  mutable std::mutex
-      mutex_;  // guards the next ones; who holds it may take the state's, not the reverse
+  // Guards the next ones; who holds it may take the state's, not the reverse. The driver's thread,
+  // which takes it all the time where messages come faster than they are worked out, lets others
+  // in.
+  mutable support::TurnMutex mutex_;
   std::unique_ptr<Run> run_;  // nullptr: off
   /// Odometry's frame in the map, as it was known before the drive began.
   std::optional<core::Pose2d> known_before_;

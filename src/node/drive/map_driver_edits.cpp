@@ -54,7 +54,7 @@ void MapDriver::keepIfDue() {
 
 core::PlaceMemory::Learned MapDriver::learn(const core::Scan& scan, const std::string& label,
                                             bool force) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
   if (!run_) return memory_.learn(scan, label, force);
   addStanding(scan);
   follow({});
@@ -67,14 +67,14 @@ core::PlaceMemory::Learned MapDriver::learn(const core::Scan& scan, const std::s
 }
 
 void MapDriver::rename(const std::string& label, const std::string& new_label) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
   memory_.rename(label, new_label);
   if (!run_) return;
   if (const auto place = memory_.place(new_label)) run_->mapper.setNamed(place->id);
 }
 
 void MapDriver::remove(const std::string& label) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
   if (!run_) return memory_.remove(label);
   const auto place = memory_.place(label);
   memory_.remove(label);
@@ -85,14 +85,14 @@ void MapDriver::remove(const std::string& label) {
 }
 
 std::size_t MapDriver::clear() {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
   const std::size_t count = memory_.clear();
   if (run_) beginAnew();
   return count;
 }
 
 void MapDriver::change(const std::function<void()>& work) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
   if (run_) tryKeeping([this] { keep(); });
   work();
   if (run_) beginAnew();

@@ -20,6 +20,7 @@ struct AdaptedReading {
   core::Measurement measurement;  ///< stamp, frame and sensor are always those of the message
   std::optional<Reject> reject;   ///< why it cannot be used
   std::string sensor_problem;     ///< with Reject::kBadSensor, in a sentence
+  std::string unit_problem;       ///< the sensor does not seem to speak in metres, in a sentence
   std::optional<NoEchoWord> no_echo;
   /// With a range outside the limits: it is the one that the sensor says again and again [m].
   std::optional<double> repeated;

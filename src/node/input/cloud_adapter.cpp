@@ -11,6 +11,33 @@ namespace place_memory::node {
 namespace {
 
 constexpr double kOrigin = 1e-3;  // a point so near to it is there [m]
+constexpr double kOnAxis = 0.01;  // a point so near to a sonar's axis may be meant to lie on it [m]
+
+// A range of more times max_range is no word for no echo but of another unit, but for the largest
+// values there are.
+constexpr double kFarBeyond = 10.0;
+constexpr double kDistance = 1e6;  // [m]
+
+// Mounts by a table are some centimetres and degrees off, and so are echoes at the edge of a cone.
+constexpr double kAside = 0.3;               // [m]
+constexpr double kTurned = core::kPi / 4.0;  // [rad]
+
+/// The range that the driver means: one of 0 or less puts the point on the sonar or behind it.
+double rangeOf(const core::Pose2d& in_sensor) {
+  const double range = std::hypot(in_sensor.x, in_sensor.y);
+  if (range <= kOrigin) return 0.0;
+  return in_sensor.x < 0.0 && std::abs(in_sensor.y) <= kOnAxis ? -range : range;
+}
+
+/// What is wrong with an echo that a sonar so mounted cannot hear; empty: it can.
+std::string misplaced(const core::Pose2d& in_sensor) {
+  const double bearing = std::atan2(in_sensor.y, in_sensor.x);
+  if (std::hypot(in_sensor.x, in_sensor.y) <= kAside || std::abs(bearing) <= kTurned) return {};
+  return "its points lie " + std::to_string(std::lround(std::abs(bearing) / core::kPi * 180.0)) +
+         " degrees to the " + (bearing > 0.0 ? "left" : "right") +
+         " of where cloud/mounts says that it looks: are their order, signs and unit right, and is "
+         "the frame that of the base?";
+}
 
 bool isEcho(const CloudPoint& point, double range, double max_range) {
   return std::hypot(point.x, point.y) > kOrigin && range < max_range &&
@@ -28,8 +55,10 @@ std::vector<AdaptedReading> CloudAdapter::adapt(const std_msgs::Header& header,
   if (adapted.measurement.frame.empty()) adapted.measurement.frame = parameters_->base_frame;
   const std::size_t mounts = parameters_->cloud.mounts.size();
   if (adapted.sensor_problem.empty() && mounts > 0 && mounts != points.points.size()) {
-    adapted.sensor_problem = "its cloud holds " + std::to_string(points.points.size()) +
-                             " points, but cloud/mounts " + std::to_string(mounts) + " poses";
+    adapted.sensor_problem =
+        "its cloud holds " + std::to_string(points.points.size()) + " points, but cloud/mounts " +
+        std::to_string(mounts) +
+        " poses: give it one for each point, or [], by which they are inferred";
   }
   if (!adapted.sensor_problem.empty()) {
     adapted.measurement.sensor = registry_->idOf(topic_, adapted.measurement.frame);
@@ -65,9 +94,24 @@ void CloudAdapter::measure(std::size_t index, const CloudPoint& point, AdaptedRe
     return;
   }
   measurement.frame_from_sensor = *mount;
-  measurement.range = std::hypot(point.x - mount->x, point.y - mount->y);
-  if (!isEcho(point, measurement.range, options.max_range)) {
+  const core::Pose2d in_sensor = mount->inverse() * core::Pose2d{point.x, point.y, 0.0};
+  measurement.range = rangeOf(in_sensor);
+  const double range = measurement.range;
+  if (range > kFarBeyond * options.max_range && range < kDistance &&
+      !parameters_->scan.over_range_is_no_echo) {
+    reading.reject = Reject::kAboveMaxRange;
+  } else if (!isEcho(point, range, options.max_range)) {
     measurement.range = std::numeric_limits<double>::infinity();
+  } else if (range <= 0.0) {
+    if (parameters_->no_echo.zero) {
+      reading.no_echo = NoEchoWord{range, "which no echo can have"};
+      measurement.range = std::numeric_limits<double>::infinity();
+    } else if (range < 0.0) {
+      reading.reject = Reject::kBelowMinRange;
+    }
+  } else if (!options.mounts.empty()) {
+    reading.sensor_problem = misplaced(in_sensor);
+    if (!reading.sensor_problem.empty()) reading.reject = Reject::kBadSensor;
   }
 }
 

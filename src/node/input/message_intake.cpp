@@ -130,7 +130,7 @@ void MessageIntake::takeSonar(const std::string& topic, const InputMessage& mess
     taken.readings = lasers_.at(topic).adapt(**scan);
     watchFrame(topic, taken.readings.front().measurement.frame, taken);
   }
-  for (const AdaptedReading& reading : taken.readings) {
+  for (AdaptedReading& reading : taken.readings) {
     if (!reading.sensor_problem.empty()) {
       const std::string name = registry_.nameOf(reading.measurement.sensor);
       const std::string where = name.find(topic) == std::string::npos ? " on " + topic : "";
@@ -212,10 +212,10 @@ void MessageIntake::watchFrame(const std::string& topic, const std::string& fram
        taken);
 }
 
-void MessageIntake::watchUnits(const AdaptedReading& reading, Taken& taken) {
-  const std::string sentence = units_.note(reading, registry_);
-  if (sentence.empty()) return;
-  once("units of " + registry_.nameOf(reading.measurement.sensor), sentence, taken);
+void MessageIntake::watchUnits(AdaptedReading& reading, Taken& taken) {
+  reading.unit_problem = units_.note(reading, registry_);
+  if (reading.unit_problem.empty()) return;
+  once("units of " + registry_.nameOf(reading.measurement.sensor), reading.unit_problem, taken);
 }
 
 void MessageIntake::once(const std::string& input, const std::string& sentence, Taken& taken) {

@@ -72,7 +72,7 @@ class MessageIntake {
                    const tf2::BufferCore& transforms, Taken& taken);
   void takeOdometry(const std::string& topic, const nav_msgs::Odometry& message, Taken& taken);
   void watchFrame(const std::string& topic, const std::string& frame, Taken& taken);
-  void watchUnits(const AdaptedReading& reading, Taken& taken);
+  void watchUnits(AdaptedReading& reading, Taken& taken);
   void once(const std::string& input, const std::string& sentence, Taken& taken);
 
   const config::Parameters& parameters_;

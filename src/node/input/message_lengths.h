@@ -39,10 +39,13 @@ class LengthCheck {
   bool good_ = true;
 };
 
-/// The message that the bytes are. Throws ros::serialization::StreamOverrunException where they are
-/// cut short, or a list in them says it is longer.
+/// The message that the bytes are, of a type that has a field. Throws
+/// ros::serialization::StreamOverrunException where they are cut short, or a list in them says it
+/// is longer.
 template <class Content>
 void readContent(const std::vector<std::uint8_t>& bytes, Content& content) {
+  // Of nothing there is no address from which roscpp could read on.
+  if (bytes.empty()) throw ros::serialization::StreamOverrunException("it is empty");
   if (!LengthCheck(bytes).check(static_cast<const Content*>(nullptr))) {
     throw ros::serialization::StreamOverrunException("a list in it is longer than the message");
   }

@@ -25,6 +25,8 @@ class SensorRegistry {
 
   const std::string& topicOf(core::SensorId sensor) const { return sensors_.at(sensor).topic; }
   const std::string& frameOf(core::SensorId sensor) const { return sensors_.at(sensor).frame; }
+  /// One of a ring whose message has a frame for all of them.
+  bool isOfRing(core::SensorId sensor) const { return sensors_.at(sensor).index >= 0; }
   /// For people: its index if it has one; else its frame, and the topic too where sensors on
   /// several topics have that frame.
   std::string nameOf(core::SensorId sensor) const;

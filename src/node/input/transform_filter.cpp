@@ -1,5 +1,6 @@
 #include "node/input/transform_filter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <vector>
@@ -13,9 +14,7 @@ namespace {
 
 constexpr double kLeastNorm = 0.1;  // of a quaternion that was meant to be one
 
-// So that messages with ever new frames take no memory; tf2 keeps each for as long as it lives.
-constexpr std::size_t kMostFrames = 4096;
-
+// tf2 keeps each frame for as long as it lives.
 std::optional<std::string> checkRoom(const geometry_msgs::TransformStamped& transform,
                                      const tf2::BufferCore& buffer) {
   if (buffer._frameExists(transform.child_frame_id) &&
@@ -45,6 +44,9 @@ std::optional<std::string> checkTransform(const geometry_msgs::TransformStamped&
   if (!std::isfinite(norm)) return "its rotation is not finite";
   if (norm < kLeastNorm) return "its rotation is a quaternion of zeros";
   if (!std::isfinite(t.x + t.y + t.z)) return "its translation is not finite";
+  if (std::max({std::abs(t.x), std::abs(t.y), std::abs(t.z)}) > kFarthest) {
+    return "its translation leads further than anything lies: is it in metres?";
+  }
   if (is_static) return std::nullopt;
   if (transform.header.stamp.isZero()) return "its stamp is 0";
   const auto ahead = toNanoseconds(transform.header.stamp) - now;

@@ -5,6 +5,7 @@
 #include <tf2/buffer_core.h>
 
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -12,6 +13,13 @@ namespace place_memory::node {
 
 /// A transform stamped further ahead of the clock would hide all that come until then.
 constexpr std::chrono::nanoseconds kMaxAhead = std::chrono::seconds(1);
+
+/// Nothing of a robot is further from the origin of a frame that it uses, along an axis [m]; ten
+/// times as far as coordinates of UTM reach.
+constexpr double kFarthest = 1e8;
+
+/// So that messages with ever new frames take no memory.
+constexpr std::size_t kMostFrames = 4096;
 
 /// Why a transform must not be believed, in a sentence without its frames; nothing where it may.
 /// `now`: when it came. The stamp of a static one means nothing.

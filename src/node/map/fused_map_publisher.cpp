@@ -9,9 +9,9 @@
 
 #include "config/memory_options.h"
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
 #include "node/base/ros_time.h"
 #include "node/map/fused_map_message.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <utility>
 
-#include "node/base/node_names.h"
 #include "node/map/map_messages.h"
 #include "node/map/place_markers.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "node/base/colors.h"
+#include "node/map/nearest_places.h"
 
 namespace place_memory::node {
 namespace {
@@ -123,17 +124,7 @@ bool overlap(const core::Place& a, const core::Place& b) {
 /// Those nearest to `to` whose texts leave each other room, `count` at the most.
 std::vector<const core::Place*> labelled(const std::vector<core::Place>& places,
                                          const core::Pose2d& to, std::size_t count) {
-  std::vector<const core::Place*> near;
-  near.reserve(places.size());
-  for (const core::Place& place : places) near.push_back(&place);
-  const auto distance = [&to](const core::Place& place) {
-    return std::hypot(place.map_from_place.x - to.x, place.map_from_place.y - to.y);
-  };
-  const std::size_t candidates = std::min(near.size(), kCandidates * count);
-  std::partial_sort(
-      near.begin(), near.begin() + static_cast<std::ptrdiff_t>(candidates), near.end(),
-      [&](const core::Place* a, const core::Place* b) { return distance(*a) < distance(*b); });
-  near.resize(candidates);
+  const std::vector<const core::Place*> near = nearestPlaces(places, to, kCandidates * count);
   std::vector<const core::Place*> found;
   for (const core::Place* place : near) {
     if (found.size() == count) break;

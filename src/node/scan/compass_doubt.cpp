@@ -26,8 +26,12 @@ std::string inWords(const core::CompassWatch::Finding& found,
   const bool stands = found.fault == Fault::kCompassStands;
   text << compass << (stands ? " stands still" : " turns the other way") << " while " << odometry
        << " turns by " << found.odometry << " rad: ";
-  text << (stands ? "see to its driver, and that its heading is fused from a compass or a gyro"
-                  : "REP 103 counts yaw counter-clockwise; swap the sign of the one that does not");
+  text
+      << (stands
+              ? "see to its driver, that its heading is fused from a compass or a gyro, and that a "
+                "Float64 has it in degrees"
+              : "REP 103 counts yaw counter-clockwise; swap the sign of the one that does not, "
+                "by parameter heading/reversed where it is the compass");
   return text.str();
 }
 
@@ -46,7 +50,9 @@ void CompassDoubt::observe() {
   const auto pose = locator_.baseAt(stamp, problem);
   if (!heading || !pose) return;
   watch_.add(stamp, *heading, pose->yaw);
-  now_ = find(stamp - kLately);
+  const std::string found = find(stamp - kLately);
+  // A robot at rest, as after a scan, proves nothing.
+  if (!found.empty() || (!now_.empty() && watch_.agree(stamp - kLately))) now_ = found;
   const std::string scan = find(scan_start_);
   if (!scan.empty()) of_scan_ = scan;
 }

@@ -24,9 +24,12 @@ class CompassDoubt {
   /// A scan begins at the stamp.
   void beginScan(std::chrono::nanoseconds start);
   /// Time was set.
-  void clear() { watch_.clear(); }
+  void clear() {
+    watch_.clear();
+    now_.clear();
+  }
 
-  /// What is wrong now, by the last ten seconds, in a sentence; empty: nothing.
+  /// What is wrong, in a sentence, until a turn shows that it no longer is; empty: nothing.
   const std::string& now() const { return now_; }
   /// What was wrong since the scan began, likewise.
   const std::string& ofScan() const { return of_scan_; }

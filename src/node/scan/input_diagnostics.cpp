@@ -1,7 +1,9 @@
 #include "node/scan/input_diagnostics.h"
 
+#include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 #include <iomanip>
+#include <map>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -39,6 +41,8 @@ void summarize(const SensorHealth& sensor, Status& status) {
   } else if (count(sensor, Reject::kOld) > 0) {
     warn(std::to_string(count(sensor, Reject::kOld)) +
          " readings of the last 10 s are left out by their stamp: " + adviceOn(Reject::kOld));
+  } else if (!sensor.unit_problem.empty()) {
+    status.mergeSummary(Level::WARN, sensor.unit_problem);
   }
 }
 
@@ -73,7 +77,42 @@ void diagnoseOdometry(const tf2::BufferCore& buffer, const config::Parameters& p
   }
 }
 
+// Sensors that speak lately, but cannot be told apart by their frames, or from the robot.
+void diagnoseFrames(const InputHealth& health, const std::string& base_frame, Status& status) {
+  std::map<std::string, std::set<std::string>> topics;
+  for (const SensorHealth& sensor : health.sensors) {
+    if (sensor.silent > kSensorSilence || sensor.frame.empty() || sensor.is_of_ring) continue;
+    topics[sensor.frame].insert(sensor.topic);
+  }
+  for (const auto& [frame, on] : topics) {
+    const std::string sensors = "sensors on " + boost::algorithm::join(on, ", ");
+    if (frame == base_frame) {
+      status.mergeSummary(Level::WARN, sensors + " have the frame of the robot itself, " + frame +
+                                           ": give each one of its own");
+    } else if (on.size() > 1) {
+      status.mergeSummary(Level::WARN,
+                          sensors + " have the same frame " + frame + ": give each one of its own");
+    }
+  }
+}
+
 }  // namespace
+
+std::string silentTopics(const InputHealth& health) {
+  std::vector<std::string> silent;
+  for (const std::string& topic : health.sonar_topics) {
+    const bool speaks = std::any_of(
+        health.sensors.begin(), health.sensors.end(),
+        [&](const SensorHealth& s) { return s.topic == topic || s.id == kOtherSensors; });
+    const bool is_named =
+        std::any_of(health.wrong_types.begin(), health.wrong_types.end(),
+                    [&](const std::string& s) { return s.find(topic) != std::string::npos; });
+    if (!speaks && !is_named) silent.push_back(topic);
+  }
+  if (silent.empty() || health.sensors.empty()) return {};
+  return "nothing has come on " + boost::algorithm::join(silent, ", ") +
+         " (sonar_topics): is the sensor plugged in, and the name right?";
+}
 
 void diagnoseSonars(const InputHealth& health, Status& status) {
   status.summary(Level::OK, std::to_string(health.sensors.size()) + " sensors");
@@ -84,6 +123,8 @@ void diagnoseSonars(const InputHealth& health, Status& status) {
   for (const std::string& sentence : health.wrong_types) {
     status.mergeSummary(Level::ERROR, sentence);
   }
+  const std::string silent = silentTopics(health);
+  if (!silent.empty()) status.mergeSummary(Level::WARN, silent);
   for (const SensorHealth& sensor : health.sensors) {
     summarize(sensor, status);
     status.add(sensor.name + " readings [Hz]", hertz(sensor.messages));
@@ -132,10 +173,18 @@ void diagnoseTransforms(const tf2::BufferCore& buffer, const TransformInput::Lef
   }
   for (const std::string& frame : frames) {
     std::chrono::nanoseconds stamp{0};
-    if (lookupNewest(buffer, parameters.base_frame, frame, stamp)) continue;
+    if (lookupNewest(buffer, parameters.base_frame, frame, stamp)) {
+      const std::chrono::nanoseconds age = now - stamp;
+      if (stamp.count() == 0 || age <= kSensorSilence) continue;  // 0: it holds for ever
+      status.mergeSummary(Level::WARN, "the newest transform from " + frame + " is " +
+                                           inSeconds(age) +
+                                           " old: does what publishes it still run?");
+      continue;
+    }
     status.mergeSummary(Level::WARN, "no transform from " + frame + " to " + parameters.base_frame +
                                          ": " + adviceOn(Reject::kNoTransform));
   }
+  diagnoseFrames(health, parameters.base_frame, status);
   if (left_out.transforms > 0) status.mergeSummary(Level::WARN, left_out.newest);
   status.add("left out [Hz]", hertz(left_out.transforms));
 }

@@ -24,8 +24,13 @@ struct InputHealth {
   std::vector<std::string> wrong_types;   ///< sentences on topics whose type is none that is read
 };
 
-/// ERROR where a sensor's limits make no sense, WARN where there is no sensor, one is silent, has a
-/// wrong clock or has nearly all of its readings left out; a value for each sensor.
+/// On which topics of sonars nothing was ever heard while there are others that speak, in a
+/// sentence; empty: there is none.
+std::string silentTopics(const InputHealth& health);
+
+/// ERROR where a sensor's limits make no sense, WARN where there is no sensor, or none on one of
+/// the topics, one is silent, has a wrong clock or unit, or has nearly all of its readings left
+/// out; a value for each sensor.
 void diagnoseSonars(const InputHealth& health, diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// WARN where no heading comes or one is left out; the rate.

@@ -41,7 +41,7 @@ ScanOutcome ScanCollector::outcome(std::chrono::nanoseconds end) const {
     return {ScanStatus::kNoHeading,
             "no heading came on " + parameters_.heading_topic +
                 ": a scan needs the compass, or whatever stands in for it, since its grid lies "
-                "along compass north" +
+                "along compass north; a robot without a compass has heading_topic: \"\"" +
                 (scan_problems_.empty() ? "" : "; " + scan_problems_.inWords()),
             nullptr,
             {}};
@@ -108,7 +108,11 @@ ScanOutcome ScanCollector::tooFew() const {
     text << "; is anything published on " << boost::algorithm::join(parameters_.sonar_topics, ", ")
          << "?";
   }
-  if (!scan_problems_.empty()) text << "; " << scan_problems_.inWords();
+  if (!scan_problems_.empty()) {
+    text << "; " << scan_problems_.inWords();
+  } else if (any_rejected) {
+    text << ": " << adviceOn(reason);
+  }
   return {status, text.str(), nullptr, {}};
 }
 

@@ -1,16 +1,15 @@
 #include "node/scan/scan_server.h"
 
-#include <geometry_msgs/Twist.h>
 #include <ros/console.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "node/base/conversions.h"
-#include "node/base/node_names.h"
 #include "node/base/ros_time.h"
 #include "node/input/input_message.h"
 #include "node/input/transform_filter.h"
+#include "node/names/node_names.h"
 #include "node/scan/scan_topics.h"
 
 namespace place_memory::node {
@@ -34,9 +33,11 @@ std::string whoSaysTheTime() {
 }  // namespace
 
 ScanServer::ScanServer(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
-                       const config::Parameters& parameters, tf2::BufferCore& buffer,
-                       TransformInput& transforms, Callbacks callbacks)
+                       const config::Parameters& parameters, DriveLease& lease,
+                       tf2::BufferCore& buffer, TransformInput& transforms, Callbacks callbacks)
     : parameters_(parameters),
+      named_parameters_(withResolvedTopics(names, parameters)),
+      lease_(lease),
       buffer_(buffer),
       transforms_(transforms),
       callbacks_(std::move(callbacks)),
@@ -44,15 +45,14 @@ ScanServer::ScanServer(const ros::NodeHandle& names, const ros::NodeHandle& priv
       intake_(
           intake_parameters_,
           [&names](const std::string& topic) { return names.resolveName(topic); }, registry_),
-      collector_(parameters, buffer, registry_),
+      collector_(named_parameters_, buffer, registry_),
       clock_(toNanoseconds(parameters.time_jump_tolerance)),
       queue_("scans", [this](const std::string& what) { onError(what); }),
       names_(names),
       private_names_(private_names) {
   names_.setCallbackQueue(&queue_);
   private_names_.setCallbackQueue(&queue_);
-  command_publisher_ = names_.advertise<geometry_msgs::Twist>(kCommandTopic, 1);
-  server_ = std::make_unique<ScanActionServer>(
+  server_ = std::make_unique<ActionServer>(
       ros::NodeHandle(private_names_, kScanAction),
       [this](const GoalHandle& goal) { onGoal(goal); },
       [this](const GoalHandle& goal) { onCancel(goal); });
@@ -96,12 +96,8 @@ void ScanServer::setNoEcho(const config::NoEchoOptions& options) {
 
 InputHealth ScanServer::health() const {
   InputHealth health;
-  for (const std::string& topic : parameters_.sonar_topics) {
-    health.sonar_topics.push_back(names_.resolveName(topic));
-  }
-  if (!parameters_.heading_topic.empty()) {
-    health.heading_topic = names_.resolveName(parameters_.heading_topic);
-  }
+  health.sonar_topics = named_parameters_.sonar_topics;
+  health.heading_topic = named_parameters_.heading_topic;
   const std::lock_guard<std::mutex> lock(mutex_);
   health.sensors = collector_.sensorHealth();
   health.compass = collector_.compassHealth();
@@ -137,13 +133,27 @@ void ScanServer::onGoal(const GoalHandle& goal) {
     accepted.setRejected(result, problem);
     return;
   }
+  std::unique_ptr<DriveLease::Hold> hold;
+  if (request->turn == config::Turn::kCmdVel) {
+    hold = hold_ ? std::move(hold_) : lease_.take("a scan that turns the robot", problem);
+    if (!hold) {
+      ScanPlaceResult result;
+      result.status = ScanPlaceResult::BUSY;
+      result.message = problem;
+      accepted.setRejected(result, problem);
+      return;
+    }
+    hold->stop();
+  }
   const std::chrono::nanoseconds now = rosNow();
   if (sweep_) fail(ScanStatus::kCanceled, "a newer goal came", now);
+  hold_ = std::move(hold);
   goal_ = accepted;
   goal_.setAccepted();
   timeRanBackwards(now);
   clock_.restart(steadyNow());
-  sweep_.emplace(*request, parameters_, collector_, names_.resolveName(kCommandTopic));
+  sweep_.emplace(*request, named_parameters_, collector_, lease_.topic());
+  if (callbacks_.under_way) callbacks_.under_way(true);
 }
 
 void ScanServer::onCancel(const GoalHandle& goal) {
@@ -185,8 +195,9 @@ void ScanServer::advance(std::chrono::nanoseconds now) {
          now);
     return;
   }
+  sweep_->setListened(lease_.isListenedTo());
   const Sweep::Step step = sweep_->update(now);
-  if (step.rate) command(*step.rate);
+  if (step.rate && hold_) hold_->drive(0.0, *step.rate);
   if (step.outcome) end(*step.outcome, now);
 }
 
@@ -237,9 +248,10 @@ void ScanServer::fail(ScanStatus status, const std::string& message, std::chrono
   end({status, message, nullptr, {}}, now);
 }
 
-void ScanServer::end(const ScanOutcome& outcome, std::chrono::nanoseconds now) {
-  if (moving_) command(0.0);
-  moving_ = false;
+void ScanServer::end(ScanOutcome outcome, std::chrono::nanoseconds now) {
+  hold_.reset();
+  const std::string silent = silentTopics(health());
+  if (!silent.empty()) outcome.message += "; " + silent;
 
   ScanPlaceResult result;
   result.status = static_cast<std::uint8_t>(outcome.status);
@@ -259,21 +271,15 @@ void ScanServer::end(const ScanOutcome& outcome, std::chrono::nanoseconds now) {
   sweep_.reset();
   sayOutcome(outcome);
 
+  if (outcome.scan && callbacks_.finished) callbacks_.finished(outcome.scan);
+  if (callbacks_.under_way) callbacks_.under_way(false);
   if (outcome.scan) {
-    if (callbacks_.finished) callbacks_.finished(outcome.scan);
     goal_.setSucceeded(result, result.message);
   } else if (outcome.status == ScanStatus::kCanceled) {
     goal_.setCanceled(result, result.message);
   } else {
     goal_.setAborted(result, result.message);
   }
-}
-
-void ScanServer::command(double rate) {
-  moving_ = true;
-  geometry_msgs::Twist twist;
-  twist.angular.z = rate;
-  command_publisher_.publish(twist);
 }
 
 }  // namespace place_memory::node

@@ -30,6 +30,8 @@ const char* toString(ScanStatus status) {
       return "failed";
     case ScanStatus::kBaseDisobeys:
       return "base_disobeys";
+    case ScanStatus::kBusy:
+      return "busy";
   }
   return "unknown";
 }

@@ -26,6 +26,7 @@ enum class ScanStatus : std::uint8_t {
   kNoOdometry = ScanPlaceResult::NO_ODOMETRY,
   kFailed = ScanPlaceResult::FAILED,
   kBaseDisobeys = ScanPlaceResult::BASE_DISOBEYS,
+  kBusy = ScanPlaceResult::BUSY,
 };
 
 /// One word, e.g. "too_few_readings"; of success "ok".

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 
-#include "node/base/node_names.h"
+#include "node/names/node_names.h"
 
 namespace place_memory::node {
 namespace {
@@ -15,6 +15,16 @@ constexpr char kSonarName[] = "sonar";
 constexpr char kHeadingName[] = "heading";
 
 }  // namespace
+
+config::Parameters withResolvedTopics(const ros::NodeHandle& names,
+                                      const config::Parameters& parameters) {
+  config::Parameters resolved = parameters;
+  for (std::string& topic : resolved.sonar_topics) topic = names.resolveName(topic);
+  for (std::string* topic : {&resolved.heading_topic, &resolved.odom_topic}) {
+    if (!topic->empty()) *topic = names.resolveName(*topic);
+  }
+  return resolved;
+}
 
 std::vector<std::string> vainRemappings(const ros::NodeHandle& names,
                                         const config::Parameters& parameters) {
@@ -35,19 +45,16 @@ std::vector<std::string> vainRemappings(const ros::NodeHandle& names,
 }
 
 void sayTopics(const ros::NodeHandle& names, const config::Parameters& parameters) {
-  std::vector<std::string> sonars;
-  for (const std::string& topic : parameters.sonar_topics) {
-    sonars.push_back(names.resolveName(topic));
-  }
+  const config::Parameters resolved = withResolvedTopics(names, parameters);
   const std::string odometry =
-      parameters.odom_topic.empty() ? "" : " (by " + names.resolveName(parameters.odom_topic) + ")";
+      resolved.odom_topic.empty() ? "" : " (by " + resolved.odom_topic + ")";
   const std::string tf = (parameters.odom_frame.empty() ? "" : parameters.odom_frame + " -> ") +
                          parameters.base_frame + odometry + " -> sensors";
-  const std::string heading = parameters.heading_topic.empty()
+  const std::string heading = resolved.heading_topic.empty()
                                   ? "none (scans lie by odometry's yaw, any heading is sought)"
-                                  : names.resolveName(parameters.heading_topic);
+                                  : resolved.heading_topic;
   ROS_INFO("sonar %s; heading %s; tf %s; map frame %s; turns by %s",
-           boost::algorithm::join(sonars, ", ").c_str(), heading.c_str(), tf.c_str(),
+           boost::algorithm::join(resolved.sonar_topics, ", ").c_str(), heading.c_str(), tf.c_str(),
            parameters.map_frame.c_str(), names.resolveName(kCommandTopic).c_str());
   for (const std::string& sentence : vainRemappings(names, parameters)) {
     ROS_WARN("%s", sentence.c_str());

@@ -11,6 +11,10 @@
 
 namespace place_memory::node {
 
+/// `parameters` with the topics of sonars, compass and odometry as `names` resolves them.
+config::Parameters withResolvedTopics(const ros::NodeHandle& names,
+                                      const config::Parameters& parameters);
+
 /// Sentences on names that were remapped, as by an argument of launch/place_memory.launch, though
 /// nothing of those names is listened to, since a parameter says otherwise.
 std::vector<std::string> vainRemappings(const ros::NodeHandle& names,

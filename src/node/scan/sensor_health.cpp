@@ -11,6 +11,7 @@ void SensorHealthTable::noteMessage(const AdaptedReading& reading, std::chrono::
   sensor.newest = now;
   sensor.messages.add(now);
   sensor.problem = reading.sensor_problem;
+  if (!reading.reject) sensor.unit_problem = reading.unit_problem;
 }
 
 void SensorHealthTable::noteReject(core::SensorId sensor, Reject reject,
@@ -46,11 +47,13 @@ std::vector<SensorHealth> SensorHealthTable::report(const SensorRegistry& regist
     health.name = registry.nameOf(id);
     health.topic = registry.topicOf(id);
     if (id != kOtherSensors) health.frame = registry.frameOf(id);
+    health.is_of_ring = registry.isOfRing(id);
     health.messages = sensor.messages.at(now);
     std::transform(sensor.rejected.begin(), sensor.rejected.end(), health.rejected.begin(),
                    [&](const core::RecentCount& count) { return count.at(now); });
     health.silent = now - sensor.newest;
     health.sensor_problem = sensor.problem;
+    health.unit_problem = sensor.unit_problem;
   }
   return report;
 }

@@ -25,10 +25,12 @@ struct SensorHealth {
   std::string name;  ///< for people
   std::string topic;
   std::string frame;                   ///< empty: unknown
+  bool is_of_ring = false;             ///< the frame is not its own, but that of a ring
   std::uint32_t messages = 0;          ///< within the last ten seconds
   RejectCounts rejected{};             ///< likewise
   std::chrono::nanoseconds silent{0};  ///< since its newest message
   std::string sensor_problem;          ///< what is wrong with its limits; empty: nothing
+  std::string unit_problem;            ///< it does not seem to speak in metres; empty: it does
 };
 
 /// What comes of the sensors' messages. `now` is a time that never goes back.
@@ -52,6 +54,7 @@ class SensorHealthTable {
     core::RecentCount messages;
     std::array<core::RecentCount, kRejects> rejected{};
     std::string problem;
+    std::string unit_problem;
   };
 
   bool isReplaced(core::SensorId sensor, const SensorRegistry& registry,

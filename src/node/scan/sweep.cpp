@@ -104,6 +104,7 @@ TurnSources Sweep::sources() const {
   const bool odometry = collector_.locator().usesOdometry();
   TurnSources sources;
   sources.command_topic = command_topic_;
+  sources.listened = listened_;
   sources.yaw = odometry
                     ? "odometry (" + parameters_.odom_frame + " to " + parameters_.base_frame + ")"
                     : "the compass (" + parameters_.heading_topic + ")";
@@ -123,9 +124,11 @@ Sweep::Step Sweep::stopWithoutYaw(std::chrono::nanoseconds now) const {
   const bool may_come = toSeconds(now - started_) <= parameters_.scan.heading_timeout;
   if (may_come && !turned_) return {};
   const bool odometry = collector_.locator().usesOdometry();
-  const std::string why = odometry ? "no fresh transform from " + parameters_.base_frame + " to " +
-                                         parameters_.odom_frame
-                                   : "no fresh heading on " + parameters_.heading_topic;
+  const std::string why =
+      odometry
+          ? "no fresh transform from " + parameters_.base_frame + " to " + parameters_.odom_frame +
+                ": start what publishes odometry, or correct odom_frame and base_frame"
+          : "no fresh heading on " + parameters_.heading_topic + ": does the compass run?";
   return {std::nullopt, ScanOutcome{odometry ? ScanStatus::kNoOdometry : ScanStatus::kNoHeading,
                                     "the robot was stopped: " + why,
                                     nullptr,

@@ -10,7 +10,7 @@
 #include "core/sensing/listening_end.h"
 #include "core/sensing/sweep_plan.h"
 #include "core/sensing/sweep_turner.h"
-#include "node/base/node_names.h"
+#include "node/names/node_names.h"
 #include "node/scan/scan_collector.h"
 #include "node/scan/scan_goal.h"
 #include "node/scan/scan_status.h"
@@ -44,6 +44,8 @@ class Sweep {
   };
   /// To be told the ROS time again and again, after the collector has processed what came until it.
   Step update(std::chrono::nanoseconds now);
+  /// Whether anything listens to the velocities, for people.
+  void setListened(bool listened) { listened_ = listened; }
 
   const ScanRequest& request() const { return request_; }
   ScanPhase phase() const { return phase_; }
@@ -73,6 +75,7 @@ class Sweep {
   std::chrono::nanoseconds started_{0};
   std::optional<core::ListeningEnd> listening_;
   std::optional<core::SweepTurner> turner_;
+  bool listened_ = true;
   bool turned_ = false;                   // the robot was given a rate
   std::optional<double> compass_before_;  // when the turn began [rad]
 };

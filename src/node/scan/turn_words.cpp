@@ -44,11 +44,15 @@ std::string faultInWords(const core::BaseWatch& base, const TurnSources& sources
          << ": " << whichSign(base, sources);
     return text.str();
   }
+  if (!sources.listened) {
+    return "the robot does not turn: nothing listens to " + sources.command_topic +
+           ": does the base's driver run, and is that its topic of velocity commands?";
+  }
   const bool moves = sources.compass && std::abs(*sources.compass) > 0.1;
   return "the robot does not turn: " + facts + ": " +
          (moves ? "but the compass turned; does the base publish odometry, and count its wheels?"
-                : "is the base switched on, does its driver listen to that topic, and is it free "
-                  "to move? A base that needs a higher rate: scan/turn_rate");
+                : "is the base switched on, does its driver obey that topic, and is it free to "
+                  "move? A base that needs a higher rate: scan/turn_rate");
 }
 
 }  // namespace place_memory::node

@@ -11,6 +11,7 @@ namespace place_memory::node {
 /// Of what a turn was made, for people.
 struct TurnSources {
   std::string command_topic;  ///< as it is resolved
+  bool listened = true;       ///< something is subscribed to it
   std::string yaw;            ///< by what the robot's yaw is known, e.g. "odometry (...)"
   bool yaw_is_compass = false;
   std::optional<double> compass;  ///< by how much it turned meanwhile, beside odometry [rad]

@@ -6,7 +6,7 @@
 namespace place_memory::sim {
 
 CompassField::CompassField(double sigma, std::uint64_t seed)
-    : amplitude_(sigma * std::sqrt(2.0 / static_cast<double>(waves_.size()))) {
+    : amplitude_(sigma * std::sqrt(2.0 / static_cast<double>(kWaves))) {
   Rng rng(seed);
   for (Wave& wave : waves_) {
     const double length = uniform(rng, 2.0, 8.0);

@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_SIM_SENSES_COMPASS_FIELD_H
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "sim/world/vec2.h"
@@ -26,8 +27,10 @@ class CompassField {
     double phase;
   };
 
+  static constexpr std::size_t kWaves = 6;
+
   double amplitude_;
-  std::array<Wave, 6> waves_;
+  std::array<Wave, kWaves> waves_;
 };
 
 }  // namespace place_memory::sim

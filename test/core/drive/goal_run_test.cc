@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace place_memory::core {
 namespace {
 
@@ -72,6 +74,7 @@ TEST_F(GoalRunTest, FarFromTheFirstPlaceItGoesThereFirst) {
   run.begin({0.0, 2.0, 0.0}, seconds(10));
   EXPECT_EQ(run.leg()->label, "a");
   EXPECT_EQ(run.leg()->from, kNoPlace);
+  EXPECT_EQ(run.legsLeft(), 3U);
   run.arrived(seconds(12));
   EXPECT_EQ(run.leg()->label, "b");
   EXPECT_TRUE(reports_.empty());
@@ -139,6 +142,38 @@ TEST_F(GoalRunTest, WhereTheRobotIsAlreadyItIsThere) {
   EXPECT_EQ(run.outcome(), Outcome::kReached);
 }
 
+TEST_F(GoalRunTest, WhereTheGoalIsTheNearestPlaceItGoesThereAllTheSame) {
+  plans_ = {planOver({2})};
+  GoalRun run = this->run();
+  run.begin({3.0, 2.0, 0.0}, seconds(10));
+  ASSERT_FALSE(run.isOver());
+  EXPECT_EQ(run.leg()->target, (Pose2d{3.0, 0.0, 0.0}));
+  run.arrived(seconds(15));
+  EXPECT_EQ(run.outcome(), Outcome::kReached);
+}
+
+TEST_F(GoalRunTest, FollowsTheMapUnderTheRobot) {
+  GoalRun run = this->run();
+  run.begin({}, seconds(10));
+  std::vector<Place> map = planOver({1, 2, 3}).best;
+  const auto find = [&](PlaceId id) {
+    const auto found =
+        std::find_if(map.begin(), map.end(), [id](const Place& place) { return place.id == id; });
+    return found == map.end() ? std::nullopt : std::optional<Place>(*found);
+  };
+  map[1].label = "desk";
+  map[1].map_from_place.x = 3.4;
+  run.follow(find, seconds(11));
+  EXPECT_EQ(run.leg()->label, "desk");
+  EXPECT_EQ(run.leg()->target, (Pose2d{3.4, 0.0, 0.0}));
+  EXPECT_NE(run.legInWords().find("desk"), std::string::npos);
+  EXPECT_EQ(asked_.size(), 1U);
+  map.pop_back();
+  run.follow(find, seconds(12));
+  EXPECT_EQ(run.outcome(), Outcome::kNotThere);
+  EXPECT_EQ(run.legInWords(), "");
+}
+
 TEST_F(GoalRunTest, PlacesThatAreRemovedOnTheWay) {
   plans_.push_back(planOver({1, 4, 3}));
   GoalRun run = this->run();
@@ -146,8 +181,10 @@ TEST_F(GoalRunTest, PlacesThatAreRemovedOnTheWay) {
   run.placeRemoved(4, seconds(11));
   EXPECT_EQ(asked_.size(), 1U);  // not on the way
   run.placeRemoved(2, seconds(12));
+  EXPECT_EQ(run.leg()->label, "a");  // from wherever it is between the two
+  run.arrived(seconds(13));
   EXPECT_EQ(run.leg()->label, "d");
-  run.placeRemoved(3, seconds(13));
+  run.placeRemoved(3, seconds(14));
   EXPECT_EQ(run.outcome(), Outcome::kNotThere);
 }
 

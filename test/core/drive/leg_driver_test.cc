@@ -141,6 +141,14 @@ TEST_F(LegDriverTest, SaysThatItDoesNotGetNearer) {
   EXPECT_NE(driver.why().find("nearer"), std::string::npos);
 }
 
+TEST(EchoRing, HearsEachConeOfALaser) {
+  EchoRing ring(milliseconds(500));
+  for (int degrees = -90; degrees <= 90; degrees += 5) {
+    ring.hear(1, milliseconds(100), {0.0, 0.0, degrees * kPi / 180.0}, degrees == 0 ? 1.0 : 3.0);
+  }
+  EXPECT_NEAR(ring.ahead(milliseconds(200), 0.2), 1.0, 1e-9);
+}
+
 TEST(EchoRing, ForgetsWhatWasHeardLongAgo) {
   EchoRing ring(milliseconds(500));
   EXPECT_TRUE(ring.isBlind(milliseconds(0)));

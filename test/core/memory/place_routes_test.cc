@@ -144,6 +144,9 @@ TEST_F(PlaceRoutesTest, WhatCannotBeIsRefused) {
   wrong.begin = seconds(3);
   EXPECT_EQ(refusal([&] { memory_->reportTraversal(wrong); }), Reason::kInvalidTraversal);
   wrong = good;
+  wrong.end = seconds(4294967295);
+  EXPECT_EQ(refusal([&] { memory_->reportTraversal(wrong); }), Reason::kInvalidTraversal);
+  wrong = good;
   wrong.source = "\x01";
   EXPECT_EQ(refusal([&] { memory_->reportTraversal(wrong); }), Reason::kInvalidTraversal);
   for (const double toll : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {

@@ -24,7 +24,9 @@ class TwinsTest : public testing::Test {
       places.push_back(place);
       scans_[id] = makeRandomScan(id == 4 ? 1 : static_cast<unsigned>(id));
       if (id == 4) {
-        for (int column = 25; column < 39; ++column) scans_[id].grid.cells()[50 * 64 + column] = 70;
+        for (std::size_t column = 25; column < 39; ++column) {
+          scans_[id].grid.cells()[50 * 64 + column] = 70;
+        }
       }
       index_.put(id, scans_[id].grid);
       if (id == 1) continue;

@@ -43,6 +43,13 @@ TEST(CompassWatch, ACompassThatErrsWithTheHeadingIsWell) {
   }
 }
 
+TEST(CompassWatch, TheyAgreeOnceTheyTurnedAlike) {
+  EXPECT_TRUE(watched(sweep, sweep, 10.0).agree(kBegin));
+  EXPECT_FALSE(watched([](double t) { return -sweep(t); }, sweep, 10.0).agree(kBegin));
+  const At rest = [](double) { return 1.0; };
+  EXPECT_FALSE(watched(rest, rest, 10.0).agree(kBegin)) << "nothing has turned";
+}
+
 TEST(CompassWatch, NamesACompassThatStandsStill) {
   const auto found = watched([](double) { return 1.0; }, sweep, 10.0).find(kBegin);
   ASSERT_TRUE(found);

@@ -32,6 +32,18 @@ TEST(KeptScans, WithoutAScanThereIsNone) {
   expectRefused(scans.choose(3, seconds(1)), Problem::kNoScan);
 }
 
+TEST(KeptScans, WhoAsksWhileAScanRunsIsTold) {
+  KeptScans scans(kMaxAge);
+  scans.setUnderWay(true);
+  expectRefused(scans.choose(0, seconds(1)), Problem::kNoScan);
+  EXPECT_NE(scans.choose(0, seconds(1)).message.find("one is under way"), std::string::npos);
+  scans.add(makeScan(3, seconds(1)));
+  EXPECT_NE(scans.choose(0, seconds(1)).message.find("by the scan before"), std::string::npos);
+  EXPECT_EQ(scans.choose(3, seconds(1)).message, "") << "it was meant";
+  scans.setUnderWay(false);
+  EXPECT_EQ(scans.choose(0, seconds(1)).message, "");
+}
+
 TEST(KeptScans, ZeroIsTheNewest) {
   KeptScans scans(kMaxAge);
   scans.add(makeScan(3, seconds(1)));

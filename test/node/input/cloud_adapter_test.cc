@@ -85,6 +85,40 @@ TEST_F(CloudAdapterTest, APointAtTheOriginOrAtMaxRangeIsNoEcho) {
   EXPECT_EQ(adapter().adapt(cloudOf({{std::nan(""), 0.0}})).front().reject, Reject::kNan);
 }
 
+TEST_F(CloudAdapterTest, APointOnASonarOrBehindItIsARangeOfZeroOrLess) {
+  parameters_.cloud.mounts = {{0.069, 0.136, core::kPi / 2}};
+  const auto at = [&](double y) { return adapter().adapt(cloudOf({{0.069, y}})).front(); };
+  for (const double y : {0.136, -0.864}) {  // 0 and -1
+    EXPECT_FALSE(at(y).reject) << at(y).sensor_problem;
+    EXPECT_EQ(at(y).measurement.range, kInf) << "no echo, as with Range messages";
+    ASSERT_TRUE(at(y).no_echo) << "and it is said";
+    EXPECT_NEAR(at(y).no_echo->range, y > 0.0 ? 0.0 : -1.0, 1e-6);
+  }
+  EXPECT_NEAR(at(0.636).measurement.range, 0.5, 1e-6);
+  parameters_.no_echo.zero = false;
+  EXPECT_EQ(at(0.136).measurement.range, 0.0);
+  EXPECT_EQ(at(-0.864).reject, Reject::kBelowMinRange);
+}
+
+TEST_F(CloudAdapterTest, MillimetresAreNoWordForNoEcho) {
+  parameters_.cloud.mounts = {{0.1, 0.0, 0.0}};
+  EXPECT_EQ(adapter().adapt(cloudOf({{1500.0, 0.0}})).front().reject, Reject::kAboveMaxRange);
+  EXPECT_FALSE(adapter().adapt(cloudOf({{3e38, 0.0}})).front().reject) << "the largest float";
+  parameters_.scan.over_range_is_no_echo = true;
+  EXPECT_FALSE(adapter().adapt(cloudOf({{1500.0, 0.0}})).front().reject);
+}
+
+TEST_F(CloudAdapterTest, AnEchoWhereASonarDoesNotLookIsNamed) {
+  parameters_.cloud.mounts = {{0.069, 0.136, core::kPi / 2}};
+  const AdaptedReading mirrored = adapter().adapt(cloudOf({{0.2, -1.136}})).front();
+  EXPECT_EQ(mirrored.reject, Reject::kBadSensor);
+  EXPECT_NE(mirrored.sensor_problem.find("174 degrees to the right"), std::string::npos)
+      << mirrored.sensor_problem;
+  EXPECT_NE(mirrored.sensor_problem.find("cloud/mounts"), std::string::npos);
+  EXPECT_FALSE(adapter().adapt(cloudOf({{0.3, 1.136}})).front().reject) << "the edge of its cone";
+  EXPECT_FALSE(adapter().adapt(cloudOf({{0.2, 0.1}})).front().reject) << "a mount is a little off";
+}
+
 TEST_F(CloudAdapterTest, WhereASensorLooksIsInferredFromItsPoints) {
   const core::Pose2d mount{0.08, 0.15, 1.4};
   const auto pointAt = [&](double range) {

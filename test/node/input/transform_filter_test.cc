@@ -51,6 +51,8 @@ TEST(CheckTransform, LeavesOutRotationsThatAreNone) {
   expectProblem(t, "rotation is not finite");
   t = odometry(ros::Time(1000.0), std::numeric_limits<double>::infinity());
   expectProblem(t, "translation is not finite");
+  expectProblem(odometry(ros::Time(1000.0), -1e300), "further than anything lies");
+  EXPECT_FALSE(checkTransform(odometry(ros::Time(1000.0), 1e7), false, kNow));
 }
 
 TEST(CheckTransform, TheStampOfAStaticTransformMeansNothing) {

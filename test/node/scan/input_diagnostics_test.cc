@@ -11,6 +11,7 @@ using std::chrono::seconds;
 
 SensorHealth sound(const std::string& name) {
   SensorHealth sensor;
+  sensor.id = 1;
   sensor.name = sensor.frame = name;
   sensor.topic = "/sonar";
   sensor.messages = 10;
@@ -46,6 +47,24 @@ void expectSays(const Status& status, int level, const std::vector<std::string>&
 
 TEST(DiagnoseSonars, WithoutASensorItAsksForTheTopic) {
   expectSays(diagnose({}), Level::WARN, {"no sensor", "/sonar"});
+}
+
+TEST(DiagnoseSonars, ATopicOnWhichNothingEverCameIsNamed) {
+  InputHealth health = healthOf({sound("front")});
+  health.sonar_topics = {"/sonar", "/range/lft"};
+  Status status;
+  diagnoseSonars(health, status);
+  expectSays(status, Level::WARN, {"nothing has come on /range/lft (sonar_topics)"});
+  EXPECT_EQ(silentTopics(healthOf({sound("front")})), "");
+  EXPECT_EQ(silentTopics(healthOf({})), "") << "that there is no sensor at all says more";
+  health.wrong_types = {"the topic /range/lft carries std_msgs/String"};
+  EXPECT_EQ(silentTopics(health), "") << "it speaks, though not of ranges";
+}
+
+TEST(DiagnoseSonars, ASensorThatDoesNotSpeakInMetresIsNamed) {
+  SensorHealth centimetres = sound("front");
+  centimetres.unit_problem = "front has a max_range of 457 m: are its limits in metres?";
+  expectSays(diagnose({centimetres}), Level::WARN, {"front has a max_range of 457 m"});
 }
 
 TEST(DiagnoseSonars, SoundSensorsAreOk) {
@@ -169,6 +188,30 @@ TEST_F(DiagnoseTransforms, NamesTheFrameOfASensorThatIsHeard) {
   const Status status = diagnose({sound("ghost"), silent}, 100.0);
   expectSays(status, Level::WARN, {"from ghost to base_link", "static_transform_publisher"});
   EXPECT_EQ(status.message.find("gone"), std::string::npos) << status.message;
+}
+
+TEST_F(DiagnoseTransforms, ATransformOfASensorThatIsNoLongerPublishedIsNamed) {
+  add("odom", "base_link", 100.0, false);
+  add("base_link", "left", 90.0, false);
+  expectSays(diagnose({sound("left")}, 100.5), Level::WARN, {"from left is 10.5 s old"});
+  add("base_link", "left", 100.0, false);
+  expectSays(diagnose({sound("left")}, 100.5), Level::OK, {});
+}
+
+TEST_F(DiagnoseTransforms, SensorsThatShareAFrameAreNamed) {
+  add("odom", "base_link", 100.0, false);
+  add("base_link", "front", 1.0, true);
+  std::vector<SensorHealth> sensors{sound("front"), sound("front")};
+  expectSays(diagnose(sensors, 100.0), Level::OK, {});
+  sensors[1].topic = "/range/left";
+  expectSays(diagnose(sensors, 100.0), Level::WARN, {"/range/left, /sonar", "same frame front"});
+  sensors[0].frame = "base_link";
+  expectSays(diagnose(sensors, 100.0), Level::WARN, {"/sonar", "the frame of the robot itself"});
+  sensors[0].is_of_ring = true;
+  expectSays(diagnose(sensors, 100.0), Level::OK, {});
+  sensors[0].is_of_ring = false;
+  sensors[0].silent = seconds(60);
+  expectSays(diagnose(sensors, 100.0), Level::OK, {});
 }
 
 TEST_F(DiagnoseTransforms, SaysWhatWasLeftOut) {

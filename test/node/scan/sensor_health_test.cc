@@ -16,6 +16,7 @@ class SensorHealthTest : public testing::Test {
     AdaptedReading reading;
     reading.measurement.sensor = registry_.idOf(topic, frame);
     reading.sensor_problem = problem_;
+    reading.unit_problem = unit_problem_;
     table_.noteMessage(reading, now);
     return reading.measurement.sensor;
   }
@@ -35,6 +36,7 @@ class SensorHealthTest : public testing::Test {
   SensorRegistry registry_;
   SensorHealthTable table_;
   std::string problem_;
+  std::string unit_problem_;
 };
 
 using Names = std::vector<std::string>;
@@ -55,6 +57,15 @@ TEST_F(SensorHealthTest, KeepsWhatIsWrongWithASensor) {
   problem_.clear();
   hear("sonar_0", seconds(2));
   EXPECT_EQ(only(seconds(2)).sensor_problem, "");
+}
+
+TEST_F(SensorHealthTest, KeepsWhatIsWrongWithItsUnits) {
+  unit_problem_ = "sonar_0 has a max_range of 457 m";
+  hear("sonar_0", seconds(1));
+  EXPECT_EQ(only(seconds(1)).unit_problem, unit_problem_);
+  unit_problem_.clear();
+  hear("sonar_0", seconds(2));
+  EXPECT_EQ(only(seconds(2)).unit_problem, "");
 }
 
 TEST_F(SensorHealthTest, CountsTheLastTenSeconds) {

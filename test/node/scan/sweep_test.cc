@@ -122,6 +122,20 @@ TEST_F(SweepTest, ATimeoutSaysThatNothingTurnedTheRobot) {
   EXPECT_NE(outcome->message.find("nothing turned the robot"), std::string::npos);
 }
 
+TEST_F(SweepTest, ABaseThatDoesNotTurnIsToldFromATopicThatNobodyHears) {
+  gain_ = 0.0;
+  for (const bool listened : {true, false}) {
+    Sweep sweep = sweepOf(config::Turn::kCmdVel);
+    sweep.setListened(listened);
+    const auto outcome = run(sweep, 20.0);
+    ASSERT_TRUE(outcome);
+    EXPECT_EQ(outcome->status, ScanStatus::kBaseDisobeys);
+    EXPECT_EQ(outcome->message.find("nothing listens to cmd_vel") == std::string::npos, listened)
+        << outcome->message;
+    collector().drop();
+  }
+}
+
 TEST_F(SweepTest, PlansItsTurnByTheSensorsThereAre) {
   Sweep sweep = planned(config::Turn::kCmdVel, 0.0);
   const auto outcome = run(sweep, 200.0);
@@ -196,6 +210,25 @@ TEST_F(SweepTest, AScanWhoseCompassDoesNotFollowOdometryIsDoubtful) {
     EXPECT_NE(outcome->message.find("not to be relied on"), std::string::npos);
     EXPECT_NE(collector().compassHealth().doubt.find(word), std::string::npos);
   }
+}
+
+TEST_F(SweepTest, ACompassIsDoubtedUntilATurnShowsThatItIsWell) {
+  compass_gain_ = -1.0;
+  Sweep doubtful = sweepOf(config::Turn::kCmdVel, 11);
+  ASSERT_TRUE(run(doubtful, 20.0));
+  rate_ = 0.0;
+  for (const double end = now_ + 20.0; now_ < end; now_ += kTick) {
+    odometry(now_, robot_);
+    heading(now_, compass_gain_ * robot_.yaw);
+    process(now_);
+  }
+  const std::string doubt = collector().compassHealth().doubt;
+  EXPECT_NE(doubt.find("heading/reversed"), std::string::npos) << "at rest: " << doubt;
+  collector().drop();
+  compass_gain_ = 1.0;
+  Sweep good = sweepOf(config::Turn::kCmdVel, 11);
+  ASSERT_TRUE(run(good, 20.0));
+  EXPECT_EQ(collector().compassHealth().doubt, "");
 }
 
 }  // namespace

@@ -54,16 +54,18 @@ class Robot {
   // The readings and their sensors alone, in the base's frame at the beginning.
   core::Scan scan(const core::Pose2d& base) {
     core::Scan scan;
-    std::vector<double> ranges(static_cast<std::size_t>(robot_.ring.count));
+    std::vector<double> ranges;
     for (int set = 0; set < robot_.sweep.headings; ++set) {
       const core::Pose2d turned = core::Pose2d{0.0, 0.0, set * robot_.sweep.step};
-      for (int i = 0; i < robot_.ring.count; ++i) ranges[i] = ping(base * turned, i);
+      ranges.clear();
+      for (int i = 0; i < robot_.ring.count; ++i) ranges.push_back(ping(base * turned, i));
       hearOthers(ranges);
-      for (int i = 0; i < robot_.ring.count; ++i) {
-        if (std::isinf(ranges[i]) && ranges[i] < 0.0) continue;
-        const auto sensor = static_cast<std::uint32_t>(i);
+      for (std::uint32_t sensor = 0; sensor < ranges.size(); ++sensor) {
+        const double range = ranges[sensor];
+        if (std::isinf(range) && range < 0.0) continue;
         if (fault_.kind == SensorFault::kDead && sensor == fault_.sensor) continue;
-        scan.readings.push_back({turned * sensorPose(robot_.ring, i), robot_.ring.spec, ranges[i]});
+        const core::Pose2d mount = sensorPose(robot_.ring, static_cast<int>(sensor));
+        scan.readings.push_back({turned * mount, robot_.ring.spec, range});
         scan.sensors.push_back(sensor);
       }
     }

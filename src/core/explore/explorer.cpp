@@ -1,0 +1,214 @@
+#include "core/explore/explorer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace place_memory::core {
+namespace {
+
+constexpr double kAtHome = 0.5;         // so near to where it began the robot is home [m]
+constexpr double kSameTarget = 1.0;     // a frontier that moved no further is the same one [m]
+constexpr double kBarrier = 0.3;        // radius of what bars the way [m]
+constexpr double kBarrierAhead = 0.55;  // from the robot's middle to the middle of that [m]
+// Times that it is tried whether a barrier is gone.
+constexpr int kLiftedForMore = 1;
+constexpr int kLiftedForHome = 2;
+constexpr double kSureEvery = 1.0;   // [m]
+constexpr double kSure = 0.7;        // share of the limit of doubt below which it is sure
+constexpr double kLoopAge = 20.0;    // a spot is worth a loop that was left so much way ago [m]
+constexpr double kLoopShare = 0.3;   // and that the way there is not longer than this share of it
+constexpr double kLoopPause = 15.0;  // after a loop was sought none is for so much way [m]
+constexpr double kReach = 0.3;       // a spot is reached by a cell so near [m]
+
+double between(const Pose2d& one, const Pose2d& other) {
+  return std::hypot(one.x - other.x, one.y - other.y);
+}
+
+}  // namespace
+
+void Explorer::remember(const Moment& now) {
+  if (now.doubt > kSure * options_.doubt) return;
+  if (!sure_.empty() && now.way - sure_.back().way < kSureEvery) return;
+  sure_.push_back({now.robot, now.way});
+}
+
+// What is unknown beside the way once the robot is past it stays so.
+void Explorer::lookAround(const Moment& now) {
+  if (looks_ && between(*looks_, now.robot) < options_.past) return;
+  if (looks_) looked_at_.push_back({looks_->x, looks_->y, options_.looked_around});
+  looks_ = now.robot;
+}
+
+std::vector<MapDisc> Explorer::barred() const {
+  std::vector<MapDisc> discs;
+  for (const Barrier& barrier : barriers_) {
+    if (barrier.disc.radius > 0.0) discs.push_back(barrier.disc);
+  }
+  return discs;
+}
+
+void Explorer::decide(const SurveyedCells& map, const Moment& now) {
+  if (isOver()) return;
+  remember(now);
+  lookAround(now);
+  if (options_.most_distance > 0.0 && now.way >= options_.most_distance && !returns_) {
+    returns_ = true;
+    at_home_ = Outcome::kBoundReached;
+  }
+  for (;;) {
+    const FreeSpace space(options_.space, map, now.robot, barred());
+    const GridWays ways(space, now.robot, options_.space.wide_berth);
+    if (!returns_) {
+      const std::vector<Frontier> frontiers = frontiersOf(space, options_.frontiers, looked_at_);
+      if (chooseLoop(space, ways, now) || chooseFrontier(space, ways, frontiers, now)) return;
+      if (liftBarriers(kLiftedForMore)) continue;
+    }
+    listLeft(map, space, ways, now);
+    if (goHome(space, ways, now) || !liftBarriers(kLiftedForHome)) break;
+  }
+  if (!task_ && !isOver()) outcome_ = Outcome::kBlocked;
+}
+
+void Explorer::take(Aim aim, const FreeSpace& space, const GridWays& ways, FreeSpace::Cell cell) {
+  task_ = Task{aim, space.centre(cell), ways.wayTo(cell), ways.length(cell)};
+}
+
+bool Explorer::chooseFrontier(const FreeSpace& space, const GridWays& ways,
+                              const std::vector<Frontier>& frontiers, const Moment& now) {
+  const Frontier* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  reachable_ = 0;
+  for (const Frontier& frontier : frontiers) {
+    if (!ways.reaches(frontier.cell)) continue;
+    ++reachable_;
+    double cost = ways.length(frontier.cell) - options_.gain * frontier.opens;
+    const bool is_same = task_ && task_->aim == Aim::kFrontier &&
+                         between(space.centre(frontier.cell), task_->target) < kSameTarget;
+    if (is_same) cost -= options_.constancy;
+    const bool is_beyond = options_.most_distance > 0.0 &&
+                           now.way + ways.length(frontier.cell) > options_.most_distance;
+    if (is_beyond || cost >= least) continue;
+    least = cost;
+    best = &frontier;
+  }
+  if (!best) {
+    if (reachable_ > 0) at_home_ = Outcome::kBoundReached;
+    return false;
+  }
+  take(Aim::kFrontier, space, ways, best->cell);
+  return true;
+}
+
+bool Explorer::chooseLoop(const FreeSpace& space, const GridWays& ways, const Moment& now) {
+  const bool is_sure = now.doubt <= options_.doubt;
+  if (is_sure || now.way < no_loop_before_) return false;
+  std::optional<FreeSpace::Cell> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SureSpot& sure : sure_) {
+    const double age = now.way - sure.way;
+    if (age < kLoopAge) continue;
+    const auto cell = ways.reachedNear(sure.spot.x, sure.spot.y, kReach);
+    if (!cell || ways.length(*cell) > kLoopShare * age || ways.length(*cell) >= least) continue;
+    least = ways.length(*cell);
+    best = cell;
+  }
+  if (!best) return false;
+  if (!task_ || task_->aim != Aim::kLoop) ++loops_sought_;
+  take(Aim::kLoop, space, ways, *best);
+  return true;
+}
+
+bool Explorer::liftBarriers(int most) {
+  bool lifted = false;
+  std::vector<Barrier> left;
+  for (Barrier& barrier : barriers_) {
+    if (barrier.lifted < most && barrier.disc.radius > 0.0) {
+      ++barrier.lifted;
+      barrier.disc.radius = 0.0;
+      lifted = true;
+    }
+    left.push_back(barrier);
+  }
+  barriers_ = std::move(left);
+  return lifted;
+}
+
+bool Explorer::goHome(const FreeSpace& space, const GridWays& ways, const Moment& now) {
+  is_home_ = between(now.robot, home_) <= kAtHome;
+  task_.reset();
+  if (is_home_ || options_.stay) {
+    outcome_ = at_home_;
+    return true;
+  }
+  const auto cell = ways.reachedNear(home_.x, home_.y, kAtHome);
+  if (cell) take(Aim::kHome, space, ways, *cell);
+  return cell.has_value();
+}
+
+void Explorer::arrived(const Moment& now) {
+  if (!task_) return;
+  if (task_->aim == Aim::kFrontier)
+    looked_at_.push_back({task_->target.x, task_->target.y, options_.looked_around});
+  if (task_->aim == Aim::kLoop) no_loop_before_ = now.way + kLoopPause;
+  task_.reset();
+}
+
+void Explorer::blocked(const Moment& now, const Pose2d& spot, const std::string& why) {
+  const double distance = between(now.robot, spot);
+  const double ahead = std::min(kBarrierAhead, std::max(distance, 1e-3));
+  const double share = ahead / std::max(distance, 1e-3);
+  const Pose2d at{now.robot.x + share * (spot.x - now.robot.x),
+                  now.robot.y + share * (spot.y - now.robot.y), 0.0};
+  if (task_ && task_->aim == Aim::kLoop) no_loop_before_ = now.way + kLoopPause;
+  const bool was_there = task_ && task_->aim == Aim::kFrontier &&
+                         between(now.robot, task_->target) <= options_.near_target;
+  if (was_there) return arrived(now);
+  task_.reset();
+  for (Barrier& barrier : barriers_) {
+    const bool is_same = between({barrier.disc.x, barrier.disc.y, 0.0}, at) <= kBarrier;
+    if (!is_same || barrier.disc.radius > 0.0) continue;
+    barrier.disc.radius = kBarrier;
+    barrier.why = why;
+    return;
+  }
+  barriers_.push_back({{at.x, at.y, kBarrier}, why, 0});
+}
+
+std::string Explorer::whyLeft(const Pose2d& spot, const GridWays& anyhow,
+                              FreeSpace::Cell cell) const {
+  const Barrier* nearest = nullptr;
+  for (const Barrier& barrier : barriers_) {
+    if (barrier.disc.radius <= 0.0) continue;
+    const Pose2d at{barrier.disc.x, barrier.disc.y, 0.0};
+    if (!nearest || between(at, spot) < between({nearest->disc.x, nearest->disc.y, 0.0}, spot)) {
+      nearest = &barrier;
+    }
+  }
+  if (anyhow.reaches(cell) && nearest) return nearest->why;
+  return "what leads there is too narrow for the robot";
+}
+
+void Explorer::listLeft(const SurveyedCells& map, const FreeSpace& space, const GridWays& ways,
+                        const Moment& now) {
+  left_.clear();
+  if (at_home_ == Outcome::kBoundReached) {
+    for (const Frontier& frontier : frontiersOf(space, options_.frontiers, looked_at_)) {
+      if (!ways.reaches(frontier.cell)) continue;
+      left_.push_back({space.centre(frontier.cell), "the distance that was allowed is driven"});
+    }
+  }
+  const FreeSpace without(options_.space, map, now.robot, {});
+  const GridWays anyhow(without, now.robot, options_.space.wide_berth);
+  FreeSpaceOptions slim = options_.space;
+  slim.radius = 0.5 * options_.space.radius;
+  const FreeSpace for_slim(slim, map, now.robot, {});
+  const GridWays of_slim(for_slim, now.robot, options_.space.wide_berth);
+  for (const Frontier& frontier : frontiersOf(without, options_.frontiers, looked_at_)) {
+    if (ways.reaches(frontier.cell) || !of_slim.reaches(frontier.cell)) continue;
+    const Pose2d spot = without.centre(frontier.cell);
+    left_.push_back({spot, whyLeft(spot, anyhow, frontier.cell)});
+  }
+}
+
+}  // namespace place_memory::core

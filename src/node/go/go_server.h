@@ -1,0 +1,97 @@
+#ifndef PLACE_MEMORY_NODE_GO_GO_SERVER_H
+#define PLACE_MEMORY_NODE_GO_GO_SERVER_H
+
+#include <place_memory/GoToPlaceAction.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <ros/steady_timer.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "config/parameters.h"
+#include "core/drive/goal_run.h"
+#include "core/sensing/clock_watch.h"
+#include "node/base/guarded_queue.h"
+#include "node/base/steady_action_server.h"
+#include "node/drive/map_driver.h"
+#include "node/go/pilot.h"
+#include "place_memory/core/place_memory.h"
+
+namespace place_memory::node {
+
+/// The action ~go_to_place.
+///
+/// One goal at a time: a newer one ends the one that runs. A goal that makes no sense, or that
+/// names no place, is rejected and changes nothing, as is any goal while something else moves the
+/// robot. Everything runs on a thread of the server's own.
+class GoServer {
+ public:
+  /// All references must outlive it.
+  struct Context {
+    core::PlaceMemory& memory;
+    const MapDriver& driver;
+    Pilot::Context pilot;
+  };
+
+  /// `names` resolves relative names, `private_names` the action.
+  GoServer(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
+           const Context& context);
+  ~GoServer();
+  GoServer(const GoServer&) = delete;
+  GoServer& operator=(const GoServer&) = delete;
+
+  /// Ends a goal that runs, and the robot stands. To be called before ros::shutdown().
+  void stop();
+
+  /// ROS time ran backwards. Thread-safe.
+  void onTimeJump() { time_jumped_ = true; }
+
+ private:
+  using ActionServer = SteadyActionServer<GoToPlaceAction>;
+  using GoalHandle = ActionServer::GoalHandle;
+
+  void onGoal(const GoalHandle& goal);
+  void onCancel(const GoalHandle& goal);
+  void onError(const std::string& what);
+  void update(const ros::SteadyTimerEvent& event);
+
+  void begin(const core::RouteEnd& end);
+  core::RoutePlan plan(core::PlaceId from, const core::GoalRun::Avoided& avoided) const;
+  void report(const core::Traversal& traversal);
+  /// Whether something else than the drive ends the goal.
+  bool watch(std::chrono::nanoseconds now);
+  void drive(std::chrono::nanoseconds now);
+  void take(const DriveReport& report, std::chrono::nanoseconds now);
+  void sayFeedback(const DriveReport& report);
+  void finishIfOver();
+  /// `message` by value: the run, which may hold it, ends here.
+  void finish(std::uint8_t status, std::string message);
+
+  const Context context_;
+  const config::Parameters& parameters_;
+  GuardedQueue queue_;
+  ros::NodeHandle names_;
+  ros::NodeHandle private_names_;
+  std::unique_ptr<Pilot> pilot_;
+  std::unique_ptr<ActionServer> server_;
+  GoalHandle goal_;  // of run_
+  std::optional<core::GoalRun> run_;
+  core::RouteEnd end_;                      // of run_
+  core::GoalRun::Leg driven_;               // that the pilot drives to
+  config::Mode mode_ = config::Mode::kOff;  // when the goal came
+  std::uint64_t map_version_ = 0;           // that run_ has followed
+  std::atomic<bool> time_jumped_{false};
+  core::ClockWatch clock_;
+  ros::SteadyTime last_feedback_;
+  ros::SteadyTimer timer_;
+  std::unique_ptr<ros::AsyncSpinner> spinner_;
+};
+
+}  // namespace place_memory::node
+
+#endif  // PLACE_MEMORY_NODE_GO_GO_SERVER_H
