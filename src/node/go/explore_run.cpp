@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "config/memory_options.h"
+#include "core/sensing/odometry_jump.h"
 #include "node/base/ros_time.h"
 
 namespace place_memory::node {
@@ -58,6 +59,7 @@ void ExploreRun::surveyAnew() {
 
 void ExploreRun::follow(const RobotFix& fix) {
   locate(fix);
+  if (odometry_jumped_) return;
   take(context_.feed.fetch(), fix.stamp);
   if (!explorer_) {
     if (!heard_since_ || toSeconds(fix.stamp - *heard_since_) < kListen) return;
@@ -73,8 +75,11 @@ void ExploreRun::follow(const RobotFix& fix) {
 // The map's frame is laid once its first place is: what was decided before went by odometry's.
 void ExploreRun::locate(const RobotFix& fix) {
   if (fix_) {
+    odometry_jumped_ =
+        odometry_jumped_ || core::odometryJumped(fix_->odom_from_base, fix.odom_from_base,
+                                                 toSeconds(fix.stamp - fix_->stamp));
     const core::Pose2d motion = fix_->odom_from_base.inverse() * fix.odom_from_base;
-    way_ += std::hypot(motion.x, motion.y);
+    if (!odometry_jumped_) way_ += std::hypot(motion.x, motion.y);
   } else {
     home_ = map_from_odom_ * fix.odom_from_base;
   }

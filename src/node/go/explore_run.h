@@ -53,6 +53,8 @@ class ExploreRun {
   const std::optional<core::Explorer::Task>& task() const { return explorer_->task(); }
   bool isOver() const { return explorer_ && explorer_->isOver(); }
   core::Explorer::Outcome outcome() const { return explorer_->outcome(); }
+  /// The robot was carried, or its odometry was reset: nothing is decided any more.
+  bool hasJumped() const { return odometry_jumped_; }
   /// For too long a way nothing has told where the robot is.
   bool isLost() const;
 
@@ -80,6 +82,7 @@ class ExploreRun {
   core::Pose2d home_;     ///< in the map
   bool has_map_ = false;  ///< since it is known, or was, where the robot is
   bool becomes_known_ = false;
+  bool odometry_jumped_ = false;
   double lost_from_ = 0.0;  ///< way at which that was known last [m]
   double doubt_ = 0.0;      ///< [m]
   double way_ = 0.0;

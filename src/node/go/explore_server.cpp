@@ -179,6 +179,12 @@ void ExploreServer::update(const ros::SteadyTimerEvent& /*event*/) {
   if (watch(now)) return;
   const RobotFinder::Found found = context_.pilot.finder.find(now, instead());
   if (found.fix) run_->follow(*found.fix);
+  if (run_->hasJumped()) {
+    return finish(
+        Result::LOST,
+        "odometry jumped: the robot was carried, or its odometry was reset; send the goal "
+        "again, and it explores from where it is");
+  }
   if (run_->isOver()) return finishAsDecided();
   if (run_->isLost()) {
     return finish(Result::LOST,
