@@ -77,7 +77,7 @@ void ExploreRun::locate(const RobotFix& fix) {
   if (fix_) {
     odometry_jumped_ =
         odometry_jumped_ || core::odometryJumped(fix_->odom_from_base, fix.odom_from_base,
-                                                 toSeconds(fix.stamp - fix_->stamp));
+                                                 std::max(toSeconds(fix.stamp - fix_->stamp), 0.0));
     const core::Pose2d motion = fix_->odom_from_base.inverse() * fix.odom_from_base;
     if (!odometry_jumped_) way_ += std::hypot(motion.x, motion.y);
   } else {
