@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Scans, learns the place or tells which one it is.
+"""Scans, learns the place or tells which one it is, and goes to another one from there.
 
-    visit_place.py learn LABEL | recognize [_node:=/place_memory]
+    visit_place.py learn LABEL | recognize | go LABEL [_node:=/place_memory]
 """
 import sys
 
@@ -31,6 +31,13 @@ def main():
         print(answer.message)
         for match in answer.recognition.matches[:3]:
             print("%5.2f %s" % (match.probability, match.label))
+    if words[0] == "go":
+        going = actionlib.SimpleActionClient(node + "/go_to_place", msg.GoToPlaceAction)
+        going.wait_for_server()
+        going.send_goal_and_wait(msg.GoToPlaceGoal(label=words[1]))
+        gone = going.get_result()
+        print(gone.message)
+        sys.exit(gone.status)
 
 
 if __name__ == "__main__":

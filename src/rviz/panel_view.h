@@ -19,6 +19,10 @@ namespace place_memory::panel {
 struct LabelledProbability {
   std::string label;
   double probability = 0.0;
+
+  bool operator==(const LabelledProbability& other) const {
+    return label == other.label && probability == other.probability;
+  }
 };
 
 /// A goal of an action that is under way, whoever asked for it.

@@ -11,6 +11,7 @@
 #include <QTreeWidgetItem>
 #include <cmath>
 #include <pluginlib/class_list_macros.hpp>
+#include <utility>
 
 #include "rviz/verdict_words.h"
 
@@ -28,6 +29,12 @@ void fill(QTreeWidget& table, const std::vector<LabelledProbability>& rows) {
     table.addTopLevelItem(new QTreeWidgetItem(
         {QString::fromStdString(label), QString::fromStdString(percent(probability))}));
   }
+}
+
+/// A style that is set makes Qt lay out the panel anew, also where it is the old one.
+void setProblem(QLabel& label, bool is_problem) {
+  const QString style = is_problem ? kProblemColour : "";
+  if (label.styleSheet() != style) label.setStyleSheet(style);
 }
 
 }  // namespace
@@ -157,12 +164,14 @@ void PlaceMemoryPanel::poll() {
 }
 
 void PlaceMemoryPanel::show(const PanelView& view) {
-  view_ = view;
+  const PanelView before = std::exchange(view_, view);
   showNodes(view);
   showPlaces(view);
   showCommands();
   showProgress(view);
   showWhere(view);
+  if (view.matches != before.matches) fill(*form_.matches, view.matches);
+  if (view.belief != before.belief) fill(*form_.belief, view.belief);
   followChoice(view.chosen);
 }
 
@@ -179,7 +188,7 @@ void PlaceMemoryPanel::showNodes(const PanelView& view) {
   }
   const bool is_there = view.presence.kind == Presence::Kind::kThere;
   form_.presence->setText(QString::fromStdString(presenceInWords(view)));
-  form_.presence->setStyleSheet(is_there ? "" : kProblemColour);
+  setProblem(*form_.presence, !is_there);
 }
 
 void PlaceMemoryPanel::showCommands() {
@@ -213,13 +222,11 @@ void PlaceMemoryPanel::showProgress(const PanelView& view) {
   const bool is_running = !view.goals.empty() && !view.goals.begin()->second.message.empty();
   form_.note->setText(
       QString::fromStdString(is_running ? view.goals.begin()->second.message : view.note.text));
-  form_.note->setStyleSheet(!is_running && view.note.is_problem ? kProblemColour : "");
+  setProblem(*form_.note, !is_running && view.note.is_problem);
 }
 
 void PlaceMemoryPanel::showWhere(const PanelView& view) {
   form_.verdict->setText(QString::fromStdString(view.verdict));
-  fill(*form_.matches, view.matches);
-  fill(*form_.belief, view.belief);
   form_.lost->setText(QString::fromStdString(
       view.lost ? "Lost: " + percent(*view.lost) +
                       ". At none of the places: " + percent(view.off_map.value_or(0.0)) + "."

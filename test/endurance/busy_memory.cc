@@ -261,7 +261,8 @@ class Client {
         scanOf(static_cast<unsigned>(random_() % 1000000), {}).readings);
     if (map.nodes.empty()) return node;
     node.before = map.nodes.size() - 1;
-    node.session = map.nodes.back().session;
+    // What no place tells of has none.
+    if (map.nodes.back().session > 0) node.session = map.nodes.back().session;
     node.motion = {0.6, 0.1, 0.2};
     node.pose = map.nodes.back().pose * node.motion;
     return node;

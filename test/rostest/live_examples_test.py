@@ -42,6 +42,8 @@ class LiveExamplesTest(live_test.LiveTestCase):
         self.assertRegex(self.run_example("visit_place", "recognize"), r"study\n.*hall\n")
         self.robot.enter(sonar_room.HALL)
         self.assertRegex(self.run_example("visit_place.py", "recognize"), r"hall\n.*study\n")
+        for program in ("visit_place", "visit_place.py"):
+            self.assertIn('reached "hall"', self.run_example(program, "go", "hall"))
 
     def test_the_relocalizer_tells_a_navigation_stack_where_the_robot_is(self):
         self.learn("hall", sonar_room.HALL)

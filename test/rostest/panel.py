@@ -45,7 +45,13 @@ class Panel:
 
     def longest_hold(self):
         """For which its thread did not come to its events, since it was asked last [s]."""
-        return int(self.ask("held")) / 1000.0
+        return self.longest_holds()[0]
+
+    def longest_holds(self):
+        """That, and how long at once the thread was at work itself [s]. On a machine with more to
+        do than it can, the first has others' work in it."""
+        held, worked = self.ask("held").split()
+        return int(held) / 1000.0, int(worked) / 1000.0
 
     def close(self):
         """Its exit status."""

@@ -8,7 +8,6 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -28,7 +27,8 @@
 #include <pluginlib/class_loader.hpp>
 #include <stdexcept>
 #include <string>
-#include <utility>
+
+#include "rviz/hold_watch.h"
 
 namespace {
 
@@ -48,24 +48,6 @@ std::string textOf(const QListView& list) {
   }
   return rows.join("; ").toStdString();
 }
-
-/// The longest time for which the thread that draws did not come to its events.
-class HoldWatch {
- public:
-  HoldWatch() {
-    QObject::connect(&timer_, &QTimer::timeout,
-                     [this] { longest_ = std::max(longest_, clock_.restart()); });
-    clock_.start();
-    timer_.start(5);
-  }
-
-  qint64 take() { return std::exchange(longest_, 0); }  ///< [ms] since it was asked last
-
- private:
-  QTimer timer_;
-  QElapsedTimer clock_;
-  qint64 longest_ = 0;
-};
 
 class Driver {
  public:
@@ -190,7 +172,7 @@ class Driver {
   using Verb = std::function<std::string(const std::string&)>;
 
   rviz::Panel& panel_;
-  HoldWatch watch_;
+  place_memory::panel::HoldWatch watch_;
   const std::map<std::string, Verb> verbs_{
       {"click", [this](const std::string& name) { return click(name); }},
       {"type", [this](const std::string& words) { return type(words); }},
@@ -205,7 +187,7 @@ class Driver {
       {"save", [this](const std::string& path) { return save(path); }},
       {"load", [this](const std::string& path) { return load(path); }},
       {"grab", [this](const std::string& path) { return grab(path); }},
-      {"held", [this](const std::string&) { return std::to_string(watch_.take()); }},
+      {"held", [this](const std::string&) { return watch_.take(); }},
   };
 };
 

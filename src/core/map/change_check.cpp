@@ -36,6 +36,7 @@ class ChangeCheck {
     checkLabel(place.id, place.label);
     checkPose(place.id, place.map_from_place);
     checkPose(place.id, place.place_from_robot);
+    checkSession(place.session);
     labels_[place.id] = place.label;
     ids_[place.label] = place.id;
   }
@@ -43,7 +44,7 @@ class ChangeCheck {
   void operator()(const PlaceMoved& edit) {
     require(edit.id);
     checkPose(edit.id, edit.map_from_place);
-    if (edit.session <= kNoSession) refuse("the number of a session is above 0");
+    checkSession(edit.session);
   }
 
   void operator()(const PlaceRenamed& edit) {
@@ -149,6 +150,10 @@ class ChangeCheck {
 
   static void checkPose(PlaceId of, const Pose2d& pose) {
     if (!pose.isFinite()) refuse("the location of " + inWords(of) + " is not finite");
+  }
+
+  static void checkSession(SessionId session) {
+    if (session <= kNoSession) refuse("the number of a session is above 0");
   }
 
   const PlaceMap& map_;

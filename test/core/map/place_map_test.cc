@@ -135,6 +135,8 @@ TEST(PlaceMap, RefusesWhatDoesNotFitAsAWhole) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Place adrift = makePlace(9, "adrift");
   adrift.map_from_place.x = nan;
+  Place nowhere = makePlace(9, "of no session");
+  nowhere.session = kNoSession;
   PlaceLink vague = makeLink(1, 2);
   vague.covariance[4] = nan;
   const std::vector<MapEdit> wrong{
@@ -144,6 +146,7 @@ TEST(PlaceMap, RefusesWhatDoesNotFitAsAWhole) {
       added(9, ""),
       added(9, std::string("\x01")),
       PlaceAdded{adrift, nullptr, nullptr},
+      PlaceAdded{nowhere, nullptr, nullptr},
       added(10, "just added"),
       PlaceMoved{9, {}, 1},
       PlaceMoved{1, {0.0, nan, 0.0}, 1},
