@@ -6,6 +6,7 @@
 #include <ros/network.h>
 #include <visualization_msgs/Marker.h>
 
+#include <cmath>
 #include <utility>
 
 #include "config/memory_options.h"
@@ -71,6 +72,9 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       robot_finder_(parameters_, buffer_, *memory_, driver_),
       go_server_(names_, private_names_,
                  {*memory_, driver_, {parameters_, drive_lease_, echoes_, robot_finder_}}),
+      explore_server_(
+          names_, private_names_,
+          {*memory_, driver_, survey_feed_, {parameters_, drive_lease_, echoes_, robot_finder_}}),
       scan_server_(names_, private_names_, parameters_, drive_lease_, buffer_, transforms_,
                    scanCallbacks()),
       live_parameters_(withQueue(private_names_, queue_), parameters_,
@@ -91,6 +95,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       route_services_(
           private_names_, *memory_, [this] { return believedPlaces(); }, parameters_),
       store_services_(private_names_, *memory_, driver_, answer_publisher_, parameters_) {
+  memory_->listen([this](const core::MapChange& change) { survey_feed_.follow(change); });
   setUpDiagnostics();
   sayWhatIsKnown();
   drive_publisher_.publish(config::Mode::kOff);
@@ -154,6 +159,7 @@ void PlaceMemoryNode::onDiagnosticsTimer() {
 }
 
 void PlaceMemoryNode::stop() {
+  explore_server_.stop();
   go_server_.stop();
   scan_server_.stop();
 }
@@ -184,6 +190,7 @@ ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
   callbacks.time_jump = [this] {
     dropScans();
     go_server_.onTimeJump();
+    explore_server_.onTimeJump();
   };
   callbacks.taken = [this](const Taken& taken) {
     driver_.input().take(taken);
@@ -195,6 +202,9 @@ ScanServer::Callbacks PlaceMemoryNode::scanCallbacks() {
 MapDriver::Callbacks PlaceMemoryNode::driveCallbacks() {
   MapDriver::Callbacks callbacks;
   callbacks.step = [this](const MapDriver::Step& step) { publishStep(step); };
+  callbacks.heard = [this](const core::Pose2d& odom_from_base, const core::SonarReading& reading) {
+    survey_feed_.hear(odom_from_base, reading);
+  };
   callbacks.event = [this](const DriveEvent& event) { drive_publisher_.publish(event); };
   callbacks.mode = [this](config::Mode mode) {
     drive_publisher_.publish(mode);
@@ -205,6 +215,7 @@ MapDriver::Callbacks PlaceMemoryNode::driveCallbacks() {
 
 // By one thread at a time: the driver holds a mutex.
 void PlaceMemoryNode::publishStep(const MapDriver::Step& step) {
+  survey_feed_.setDoubt(std::sqrt(step.covariance[0]));
   drive_publisher_.publish(step);
   if (step.belief) answer_publisher_.publishCurrentPlace();
   const std::chrono::nanoseconds since = step.now.stamp - published_pose_;

@@ -26,8 +26,10 @@
 #include "node/drive/drive_services.h"
 #include "node/drive/map_driver.h"
 #include "node/go/echo_listener.h"
+#include "node/go/explore_server.h"
 #include "node/go/go_server.h"
 #include "node/go/robot_finder.h"
+#include "node/go/survey_feed.h"
 #include "node/input/transform_input.h"
 #include "node/live_parameters.h"
 #include "node/map/fused_map_publisher.h"
@@ -85,6 +87,7 @@ class PlaceMemoryNode {
   MapPublisher map_publisher_;
   FusedMapPublisher fused_map_publisher_;
   std::chrono::nanoseconds published_pose_{0};  ///< stamp of the newest one of the drive
+  SurveyFeed survey_feed_;
   MapDriver driver_;
   TransformInput transforms_;
   MapFrameBroadcaster map_frame_broadcaster_;
@@ -92,6 +95,7 @@ class PlaceMemoryNode {
   EchoListener echoes_;
   RobotFinder robot_finder_;
   GoServer go_server_;
+  ExploreServer explore_server_;
   ScanServer scan_server_;
   LiveParameters live_parameters_;
   diagnostic_updater::Updater diagnostics_;

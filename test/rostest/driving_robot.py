@@ -60,12 +60,14 @@ class DrivingRobot(FakeRobot):
 class Goal:
     """A goal of ~go_to_place on its way."""
 
+    action, action_type, goal_type = "/go_to_place", msg.GoToPlaceAction, msg.GoToPlaceGoal
+
     def __init__(self, node, **goal):
         self.feedback = []
-        self._client = actionlib.ActionClient(node.name + "/go_to_place", msg.GoToPlaceAction)
+        self._client = actionlib.ActionClient(node.name + self.action, self.action_type)
         self._client.wait_for_server()
         self._goal = self._client.send_goal(
-            msg.GoToPlaceGoal(**goal),
+            self.goal_type(**goal),
             feedback_cb=lambda _, feedback: self.feedback.append(feedback))
 
     def cancel(self):
@@ -84,10 +86,39 @@ class Goal:
         return self._goal.get_result()
 
 
-class GoTestCase(live_test.LiveTestCase):
-    """The robot stands in a room of which the node has a map, made by a drive round its middle."""
+class DriveTestCase(live_test.LiveTestCase):
+    """The node drives the robot."""
 
     robot_type = DrivingRobot
+
+    def go_on(self, way, goal):
+        """Until the robot has driven so far from where it is [m], under way to the goal."""
+        start = self.robot.in_room
+        self.run_robot(lambda: goal.is_over() or self.distance(start) > way, "the robot to drive")
+        self.assertFalse(goal.is_over(), goal.result())
+
+    def end(self, goal, status):
+        """Its result."""
+        self.run_robot(goal.is_over, "the goal to end")
+        result = goal.result()
+        self.assertEqual(result.status, status, result)
+        self.assertGreater(len(result.message), 3)
+        return result
+
+    def distance(self, spot):
+        return math.hypot(self.robot.in_room[0] - spot[0], self.robot.in_room[1] - spot[1])
+
+    def assert_stands(self):
+        """The newest velocity that the node sent is none."""
+        self.run_robot(lambda: self.robot.velocities and self.robot.velocities[-1] == (0.0, 0.0),
+                       "the robot to be stopped")
+        here = self.robot.in_room
+        self.run_for(1.0)
+        self.assertLess(self.distance(here), 1e-6)
+
+
+class GoTestCase(DriveTestCase):
+    """The robot stands in a room of which the node has a map, made by a drive round its middle."""
 
     @classmethod
     def setUpClass(cls):
@@ -163,36 +194,11 @@ class GoTestCase(live_test.LiveTestCase):
         self.addCleanup(sent.leave)
         return sent
 
-    def go_on(self, way, goal):
-        """Until the robot has driven so far from where it is [m], under way to the goal."""
-        start = self.robot.in_room
-        self.run_robot(lambda: goal.is_over() or self.distance(start) > way, "the robot to drive")
-        self.assertFalse(goal.is_over(), goal.result())
-
-    def end(self, goal, status):
-        """Its result."""
-        self.run_robot(goal.is_over, "the goal to end")
-        result = goal.result()
-        self.assertEqual(result.status, status, result)
-        self.assertGreater(len(result.message), 3)
-        return result
-
-    def distance(self, spot):
-        return math.hypot(self.robot.in_room[0] - spot[0], self.robot.in_room[1] - spot[1])
-
     def assert_at(self, place, tolerance=0.6):
         """By where the robot truly is."""
         stood = compose((place.location.x, place.location.y, place.location.theta),
                         (place.robot.x, place.robot.y, place.robot.theta))
         self.assertLess(self.distance(compose(ORIGIN, stood)), tolerance)
-
-    def assert_stands(self):
-        """The newest velocity that the node sent is none."""
-        self.run_robot(lambda: self.robot.velocities and self.robot.velocities[-1] == (0.0, 0.0),
-                       "the robot to be stopped")
-        here = self.robot.in_room
-        self.run_for(1.0)
-        self.assertLess(self.distance(here), 1e-6)
 
 
 def pose_at(x, y, frame="map"):

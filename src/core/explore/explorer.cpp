@@ -71,6 +71,7 @@ void Explorer::decide(const SurveyedCells& map, const Moment& now) {
 }
 
 void Explorer::take(Aim aim, const FreeSpace& space, const GridWays& ways, FreeSpace::Cell cell) {
+  stood_at_home_ = false;
   task_ = Task{aim, space.centre(cell), ways.wayTo(cell), ways.length(cell)};
 }
 
@@ -135,7 +136,7 @@ bool Explorer::liftBarriers(int most) {
 }
 
 bool Explorer::goHome(const FreeSpace& space, const GridWays& ways, const Moment& now) {
-  is_home_ = between(now.robot, home_) <= kAtHome;
+  is_home_ = between(now.robot, home_) <= kAtHome || stood_at_home_;
   task_.reset();
   if (is_home_ || options_.stay) {
     outcome_ = at_home_;
@@ -151,6 +152,7 @@ void Explorer::arrived(const Moment& now) {
   if (task_->aim == Aim::kFrontier)
     looked_at_.push_back({task_->target.x, task_->target.y, options_.looked_around});
   if (task_->aim == Aim::kLoop) no_loop_before_ = now.way + kLoopPause;
+  stood_at_home_ = task_->aim == Aim::kHome;
   task_.reset();
 }
 

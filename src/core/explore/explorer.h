@@ -117,6 +117,7 @@ class Explorer {
   Outcome outcome_ = Outcome::kUnderWay;
   Outcome at_home_ = Outcome::kDone;  ///< that it is when the robot is home
   bool is_home_ = false;
+  bool stood_at_home_ = false;  ///< as near as it is let drive, at the newest decision
   bool returns_ = false;
   std::size_t reachable_ = 0;
   std::vector<Left> left_;

@@ -214,7 +214,7 @@ void MapDriver::begin(core::MapperMode mode) {
   };
   auto run = std::make_unique<Run>(
       parameters_, mode, label,
-      [this](const OdometryMoment& now, bool jumped) { onStep(now, jumped); });
+      [this](const OdometryMoment& now, bool jumped) { onStep(now, jumped); }, callbacks_.heard);
   const core::KeptMap kept = memory_.drivenMap();
   const core::Whereabouts known = memory_.whereabouts();
   known_before_.reset();

@@ -55,6 +55,7 @@ class MapDriver {
     std::function<void(const Step&)> step;
     std::function<void(const DriveEvent&)> event;
     std::function<void(config::Mode)> mode;  ///< it is this one from now on
+    MapperFeed::Heard heard;                 ///< may be null
   };
 
   /// All must outlive it. The mode is off at first.

@@ -13,9 +13,9 @@ namespace place_memory::node {
 /// One mapper, and what feeds it.
 struct MapDriver::Run {
   Run(const config::Parameters& parameters, core::MapperMode mode, DriveEvents::LabelOf label,
-      MapperFeed::Step step)
+      MapperFeed::Step step, MapperFeed::Heard heard)
       : mapper(config::mapperOptions(parameters, mode)),
-        to_mapper(mapper, std::move(step)),
+        to_mapper(mapper, std::move(step), std::move(heard)),
         feed(parameters, losses, to_mapper),
         events(parameters.drive.largest_jump, std::move(label)) {}
 

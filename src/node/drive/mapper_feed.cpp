@@ -42,6 +42,7 @@ void MapperFeed::onOdometry(nanoseconds stamp, const core::Pose2d& odom_from_bas
   headings_.clear();
   for (const Reading& reading : readings_) {
     mapper_.addReading(reading.stamp, reading.odom_from_base, reading.reading);
+    if (heard_) heard_(reading.odom_from_base, reading.reading);
   }
   readings_.clear();
   mapper_.addOdometry(stamp, odom_from_base);

@@ -24,8 +24,12 @@ class MapperFeed : public DriveListener {
   /// What came of the drive up to a pose of odometry; `jumped`: it started anew just before.
   using Step = std::function<void(const OdometryMoment& now, bool jumped)>;
 
-  /// `mapper` must outlive it.
-  MapperFeed(core::Mapper& mapper, Step step) : mapper_(mapper), step_(std::move(step)) {}
+  /// A reading that the mapper gets, in the base's frame, and where odometry had that.
+  using Heard = std::function<void(const core::Pose2d& odom_from_base, const core::SonarReading&)>;
+
+  /// `mapper` must outlive it; `heard` may be null.
+  MapperFeed(core::Mapper& mapper, Step step, Heard heard = nullptr)
+      : mapper_(mapper), step_(std::move(step)), heard_(std::move(heard)) {}
 
   void onHeading(std::chrono::nanoseconds stamp, double yaw) override;
   void onReading(std::chrono::nanoseconds stamp, const core::Pose2d& odom_from_base,
@@ -46,6 +50,7 @@ class MapperFeed : public DriveListener {
 
   core::Mapper& mapper_;
   Step step_;
+  Heard heard_;
   std::vector<std::pair<std::chrono::nanoseconds, double>> headings_;  // since the newest odometry
   std::vector<Reading> readings_;                                      // likewise
   std::optional<OdometryMoment> newest_;

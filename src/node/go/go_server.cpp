@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "node/base/ros_time.h"
-#include "node/drive/drive_publisher.h"
 #include "node/go/go_goal.h"
 #include "node/names/node_names.h"
 
@@ -23,7 +22,6 @@ const ros::WallDuration kFeedbackPeriod(0.2);
 const ros::WallDuration kLastMessages(0.1);  // need so long to get out of the process
 constexpr char kWho[] = "a goal of ~go_to_place";
 constexpr char kSource[] = "go_to_place";  // of traversals
-constexpr double kClockPatience = 10.0;    // with simulated time that stands [s]
 
 std::uint8_t statusOf(Outcome outcome) {
   switch (outcome) {
@@ -50,17 +48,6 @@ std::uint8_t statusOf(Outcome outcome) {
   return Result::FAILED;
 }
 
-std::string inWords(const DriveReport& report) {
-  switch (report.state) {
-    case State::kWaiting:
-      return "waits for what stands in the way to go";
-    case State::kBackingOff:
-      return "backs off";
-    default:
-      return "goes";
-  }
-}
-
 }  // namespace
 
 GoServer::GoServer(const ros::NodeHandle& names, const ros::NodeHandle& private_names,
@@ -70,7 +57,7 @@ GoServer::GoServer(const ros::NodeHandle& names, const ros::NodeHandle& private_
       queue_("goals", [this](const std::string& what) { onError(what); }),
       names_(names),
       private_names_(private_names),
-      clock_(toNanoseconds(parameters_.time_jump_tolerance)) {
+      watch_(toNanoseconds(parameters_.time_jump_tolerance)) {
   names_.setCallbackQueue(&queue_);
   private_names_.setCallbackQueue(&queue_);
   pilot_ = std::make_unique<Pilot>(names_, context.pilot);
@@ -134,10 +121,7 @@ void GoServer::onGoal(const GoalHandle& goal) {
 
 void GoServer::begin(const core::RouteEnd& end) {
   const std::chrono::nanoseconds now = rosNow();
-  clock_.observe(now, steadyNow());
-  clock_.restart(steadyNow());
-  time_jumped_ = false;
-  mode_ = context_.driver.mode();
+  watch_.begin(now, context_.driver.mode());
   map_version_ = context_.memory.version();
   end_ = end;
   core::GoalRun::Hooks hooks;
@@ -170,7 +154,7 @@ core::RoutePlan GoServer::plan(core::PlaceId from, const core::GoalRun::Avoided&
 
 // Ways that are driven while the node drives along teach their links by themselves.
 void GoServer::report(const core::Traversal& traversal) {
-  if (traversal.succeeded && mode_ != config::Mode::kOff) return;
+  if (traversal.succeeded && watch_.mode() != config::Mode::kOff) return;
   try {
     context_.memory.reportTraversal(traversal);
   } catch (const core::PlaceMemoryError& error) {
@@ -187,16 +171,10 @@ void GoServer::onError(const std::string& what) {
 }
 
 bool GoServer::watch(std::chrono::nanoseconds now) {
-  clock_.observe(now, steadyNow());
-  if (time_jumped_.exchange(false)) {
-    run_->end(Outcome::kLost, "time ran backwards: where the robot is, is not known any more");
-  } else if (toSeconds(clock_.standing(steadyNow())) > kClockPatience) {
-    finish(Result::NO_TIME, "simulated time stands still: is anything published on /clock?");
+  if (const auto end = watch_.update(now, context_.driver.mode())) {
+    const bool stands = end->kind == GoalWatch::Kind::kTimeStands;
+    finish(stands ? Result::NO_TIME : Result::LOST, end->why);
     return true;
-  } else if (const config::Mode mode = context_.driver.mode(); mode != mode_) {
-    run_->end(Outcome::kLost, std::string("the mode was set to ") + nameOf(mode) +
-                                  " on the way: where the robot is, is told otherwise from now on; "
-                                  "send the goal again");
   }
   if (const std::uint64_t version = context_.memory.version(); version != map_version_) {
     map_version_ = version;

@@ -6,7 +6,6 @@
 #include <ros/spinner.h>
 #include <ros/steady_timer.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -15,10 +14,10 @@
 
 #include "config/parameters.h"
 #include "core/drive/goal_run.h"
-#include "core/sensing/clock_watch.h"
 #include "node/base/guarded_queue.h"
 #include "node/base/steady_action_server.h"
 #include "node/drive/map_driver.h"
+#include "node/go/goal_watch.h"
 #include "node/go/pilot.h"
 #include "place_memory/core/place_memory.h"
 
@@ -49,7 +48,7 @@ class GoServer {
   void stop();
 
   /// ROS time ran backwards. Thread-safe.
-  void onTimeJump() { time_jumped_ = true; }
+  void onTimeJump() { watch_.onTimeJump(); }
 
  private:
   using ActionServer = SteadyActionServer<GoToPlaceAction>;
@@ -81,12 +80,10 @@ class GoServer {
   std::unique_ptr<ActionServer> server_;
   GoalHandle goal_;  // of run_
   std::optional<core::GoalRun> run_;
-  core::RouteEnd end_;                      // of run_
-  core::GoalRun::Leg driven_;               // that the pilot drives to
-  config::Mode mode_ = config::Mode::kOff;  // when the goal came
-  std::uint64_t map_version_ = 0;           // that run_ has followed
-  std::atomic<bool> time_jumped_{false};
-  core::ClockWatch clock_;
+  core::RouteEnd end_;             // of run_
+  core::GoalRun::Leg driven_;      // that the pilot drives to
+  std::uint64_t map_version_ = 0;  // that run_ has followed
+  GoalWatch watch_;
   ros::SteadyTime last_feedback_;
   ros::SteadyTimer timer_;
   std::unique_ptr<ros::AsyncSpinner> spinner_;

@@ -61,8 +61,9 @@ DriveReport Pilot::lost(const RobotFinder::Found& found) {
   return {State::kLost, found.problem, 0.0};
 }
 
-DriveReport Pilot::update(std::chrono::nanoseconds now) {
-  const RobotFinder::Found found = context_.finder.find(now);
+DriveReport Pilot::update(std::chrono::nanoseconds now,
+                          const std::optional<core::Pose2d>& instead) {
+  const RobotFinder::Found found = context_.finder.find(now, instead);
   if (!found.fix) return lost(found);
   odometry_waits_.reset();
   if (fix_ && found.fix->stamp >= fix_->stamp &&

@@ -43,7 +43,9 @@ class Pilot {
   void moveTarget(const core::Pose2d& target);
   /// To be called some twenty times a second while there is a target. Once it is over there is
   /// none, and the robot stands.
-  DriveReport update(std::chrono::nanoseconds now);
+  /// `instead`: as RobotFinder::find() takes it.
+  DriveReport update(std::chrono::nanoseconds now,
+                     const std::optional<core::Pose2d>& instead = std::nullopt);
   /// The robot stands; there is no target any more.
   void stop();
   bool isDriving() const { return driving_; }

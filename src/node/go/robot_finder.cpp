@@ -39,15 +39,18 @@ std::optional<core::Pose2d> RobotFinder::mapFromOdom(std::string& problem) const
   return std::nullopt;
 }
 
-RobotFinder::Found RobotFinder::find(std::chrono::nanoseconds now) const {
+RobotFinder::Found RobotFinder::find(std::chrono::nanoseconds now,
+                                     const std::optional<core::Pose2d>& instead) const {
   Found found;
   if (parameters_.odom_frame.empty()) {
     found.problem = "odom_frame is empty: nothing says how the robot drives; name the frame";
     return found;
   }
-  const std::optional<core::Pose2d> map_from_odom = mapFromOdom(found.problem);
+  const std::optional<core::Pose2d> known = mapFromOdom(found.problem);
+  const std::optional<core::Pose2d> map_from_odom = known ? known : instead;
   if (!map_from_odom) return found;
   RobotFix fix;
+  fix.is_assumed = !known;
   const auto base =
       lookupNewest(buffer_, parameters_.odom_frame, parameters_.base_frame, fix.stamp);
   if (!base || toSeconds(now - fix.stamp) > parameters_.scan.heading_timeout) {
@@ -59,6 +62,7 @@ RobotFinder::Found RobotFinder::find(std::chrono::nanoseconds now) const {
   fix.odom_from_base = base->pose;
   fix.map_from_base = *map_from_odom * base->pose;
   found.fix = fix;
+  found.problem.clear();
   return found;
 }
 

@@ -19,6 +19,7 @@ struct RobotFix {
   std::chrono::nanoseconds stamp{0};
   core::Pose2d odom_from_base;
   core::Pose2d map_from_base;
+  bool is_assumed = false;  ///< nothing tells where odometry's frame lies in the map
 };
 
 /// Tells who drives the robot where it is on the map: by the drive along with it (mode map or
@@ -35,7 +36,9 @@ class RobotFinder {
     std::string problem;           ///< why there is none, and what to do, in a sentence
     bool odometry_is_old = false;  ///< and may be heard again
   };
-  Found find(std::chrono::nanoseconds now) const;
+  /// `instead`: where odometry's frame is taken to lie in the map while that is not known.
+  Found find(std::chrono::nanoseconds now,
+             const std::optional<core::Pose2d>& instead = std::nullopt) const;
 
   /// Places about the robot where it may be, by the belief; without one the nearest place.
   std::vector<core::RouteStart> starts(const RobotFix& fix) const;

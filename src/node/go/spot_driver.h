@@ -29,6 +29,9 @@ struct DriveReport {
   bool isOver() const { return state >= State::kArrived; }
 };
 
+/// What the robot does, in a word or two.
+std::string inWords(const DriveReport& report);
+
 /// Drives the robot to one spot of the map after the other. Told again and again where it is.
 class SpotDriver {
  public:
