@@ -55,6 +55,7 @@ void Mapper::beginSession() {
   headings_.clear();
   last_middle_.reset();
   told_.reset();
+  is_told_ = false;
   first_of_session_ = true;
   if (!graph_.nodes().empty()) beginApart();
 }
@@ -137,6 +138,7 @@ void Mapper::process(const MovingScan& scan) {
   decision.stamp = scan.middle.stamp;
   if (view.tracked) {
     anchored_way_ = way;
+    is_told_ = false;
     ties_since_full_ = true;
     decision.kind = ScanDecision::Kind::kTracked;
   }

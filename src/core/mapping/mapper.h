@@ -207,6 +207,7 @@ class Mapper {
   void sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySearch& ways,
                View& view) const;
   const ClosureCandidate* accepted(const ClosureCandidates& candidates, int target) const;
+  double sigmaElsewhere(NodeIndex at) const;
   bool closeLoops(double way);
   void takeBack();
   PlaceBelief::Map beliefMap() const;
@@ -254,6 +255,7 @@ class Mapper {
   };
   std::vector<ThinnedScan> thinned_;
   std::optional<BaseMoment> last_middle_;  ///< of the newest node
+  bool is_told_ = false;                   ///< by a person where it is, until it is tied
   std::optional<ToldPose> told_;           ///< until a scan is there
   bool standing_ = false;                  ///< the scan that is processed is one of one spot
   Pose2d newest_odom_;

@@ -32,6 +32,7 @@ void Mapper::setPose(const Pose2d& map_from_base) {
   addOdometry({}, newest_odom_);  // it goes on, only what it was about is no more believed
   session_ = kMapSession;
   told_ = ToldPose{map_from_base, reckoning_.pose()};
+  is_told_ = true;
   anchored_way_ = reckoning_.way();
   lost_.set(kLostByWord);
   belief_.reset();

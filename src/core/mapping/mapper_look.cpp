@@ -12,6 +12,7 @@ constexpr double kDegree = kPi / 180.0;
 constexpr double kAtPlace = 0.6;  ///< so near to a place a scan should show it [m]
 constexpr double kCompassWindow = 45.0 * kDegree;
 constexpr double kCompassAgrees = 30.0 * kDegree;
+constexpr double kToldSigma = 0.3;   ///< of where a person says that the robot is [m]
 constexpr double kUseful = 0.3;      ///< probability of a match that is worth something
 constexpr double kLongUntied = 5.0;  ///< way after which every heading is looked at [m]
 
@@ -46,12 +47,19 @@ void Mapper::lookForOwnSession(NodeIndex at, View& view) {
   WaySearch ways(graph_, at, kFarthestWay);
   // A scan that was begun where the robot was carried from still looks like there.
   if (!view.agreement.contradicts) {
-    view.tracked =
-        tying_.track(at, view.laid, fits, ways, view.agreement.disagrees, closer_.onTrial());
+    view.tracked = tying_.track(at, view.laid, fits, ways, sigmaElsewhere(at),
+                                view.agreement.disagrees, closer_.onTrial());
   }
   view.best = fits.empty() ? 0.0 : fits.front().probability;
   sortOut(tying_.sightings(view.tracked ? fits : recognizeAnyhow(*own, view.laid, fits), view.laid),
           at, ways, view);
+}
+
+// Where no way leads to, only a person's word tells of it.
+double Mapper::sigmaElsewhere(NodeIndex at) const {
+  const bool compass = graph_.node(at).compass.has_value();
+  return is_told_ ? std::hypot(kToldSigma, positionSigma(untiedWay(), compass))
+                  : positionSigma(kFarthestWay, compass);
 }
 
 Mapper::View Mapper::look(NodeIndex at, const MovingScan& scan) {
@@ -78,7 +86,8 @@ void Mapper::sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySe
     const NodeIndex place = shelf_.nodeOf(seen.place);
     // Where odometry cannot tell so exactly, being back where it has the robot is a loop too.
     const std::optional<double> way = ways.to(place);
-    const bool told = way && positionSigma(*way, node.compass.has_value()) <= kTrackSigma;
+    const double sigma = way ? positionSigma(*way, node.compass.has_value()) : sigmaElsewhere(at);
+    const bool told = sigma <= kTrackSigma;
     if ((view.tracked || told) && std::hypot(seen.pose.x - here.x, seen.pose.y - here.y) < 0.5 &&
         std::abs(wrapAngle(seen.pose.yaw - here.yaw)) < 15.0 * kDegree) {
       continue;
