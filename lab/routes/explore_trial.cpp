@@ -131,8 +131,8 @@ class Robot {
   }
 
   Explorer::Moment moment() const {
-    const double doubt = lost_since_ ? kLostDoubt
-                                     : core::positionSigma(mapper_.untiedWay(), recipe_.compass);
+    const double doubt =
+        lost_since_ ? kLostDoubt : core::positionSigma(mapper_.untiedWay(), recipe_.compass);
     return {pose(), way_, doubt};
   }
 
