@@ -73,6 +73,17 @@ TEST_F(ExplorerTest, GoesHomeWhenNothingIsLeftAndSaysSo) {
   EXPECT_TRUE(explorer.left().empty());
 }
 
+TEST_F(ExplorerTest, WhereItIsLetNoNearerToHomeThanItStandsItIsHome) {
+  Explorer explorer(options_, home_);
+  explorer.decide(closed(), at(6.0, 1.0, 10.0));
+  ASSERT_EQ(explorer.task()->aim, Aim::kHome);
+  const Explorer::Moment beside = at(1.25, 1.6, 15.0);
+  explorer.arrived(beside);
+  explorer.decide(closed(), beside);
+  EXPECT_EQ(explorer.outcome(), Outcome::kDone);
+  EXPECT_TRUE(explorer.isHome());
+}
+
 TEST_F(ExplorerTest, StaysWhereItIsIfThatIsAsked) {
   options_.stay = true;
   Explorer explorer(options_, home_);
