@@ -231,12 +231,13 @@ class LiveDriveTest(unittest.TestCase):
         self.addCleanup(subscriber.unregister)
         self.wait(lambda: subscriber.get_num_connections() > 0, "the node to be heard")
         self.play(later)
+        self.assertEqual([kind for kind in self.kinds()
+                          if kind in (MapEvent.FOUND, MapEvent.LOST)],
+                         [MapEvent.FOUND, MapEvent.LOST, MapEvent.FOUND],
+                         [event.sentence for event in self.events])
         # For amcl, each time that it was found; it does not listen to itself.
         self.assertEqual(len(told), 2)
         self.assertEqual(told[0].header.frame_id, self.frame)
-        self.assertEqual([kind for kind in self.kinds()
-                          if kind in (MapEvent.FOUND, MapEvent.LOST)],
-                         [MapEvent.FOUND, MapEvent.LOST, MapEvent.FOUND])
         self.assertLess(self.error(first, later), 0.3)
 
     # --- the same whatever the rate ---

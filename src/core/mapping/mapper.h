@@ -207,7 +207,7 @@ class Mapper {
   void sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySearch& ways,
                View& view) const;
   const ClosureCandidate* accepted(const ClosureCandidates& candidates, int target) const;
-  double sigmaElsewhere(NodeIndex at) const;
+  double mostSigma(NodeIndex at) const;
   bool closeLoops(double way);
   void takeBack();
   PlaceBelief::Map beliefMap() const;

@@ -47,19 +47,21 @@ void Mapper::lookForOwnSession(NodeIndex at, View& view) {
   WaySearch ways(graph_, at, kFarthestWay);
   // A scan that was begun where the robot was carried from still looks like there.
   if (!view.agreement.contradicts) {
-    view.tracked = tying_.track(at, view.laid, fits, ways, sigmaElsewhere(at),
-                                view.agreement.disagrees, closer_.onTrial());
+    view.tracked = tying_.track(at, view.laid, fits, ways, mostSigma(at), view.agreement.disagrees,
+                                closer_.onTrial());
   }
   view.best = fits.empty() ? 0.0 : fits.front().probability;
   sortOut(tying_.sightings(view.tracked ? fits : recognizeAnyhow(*own, view.laid, fits), view.laid),
           at, ways, view);
 }
 
-// Where no way leads to, only a person's word tells of it.
-double Mapper::sigmaElsewhere(NodeIndex at) const {
+// How well it is known where any place is, however long the way to it: by a person's word, or
+// because the map stays, so that where one place is tells where all are.
+double Mapper::mostSigma(NodeIndex at) const {
   const bool compass = graph_.node(at).compass.has_value();
-  return is_told_ ? std::hypot(kToldSigma, positionSigma(untiedWay(), compass))
-                  : positionSigma(kFarthestWay, compass);
+  const double untied = positionSigma(untiedWay(), compass);
+  if (is_told_) return std::hypot(kToldSigma, untied);
+  return options_.mode == MapperMode::kLocalize ? untied : positionSigma(kFarthestWay, compass);
 }
 
 Mapper::View Mapper::look(NodeIndex at, const MovingScan& scan) {
@@ -86,7 +88,8 @@ void Mapper::sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySe
     const NodeIndex place = shelf_.nodeOf(seen.place);
     // Where odometry cannot tell so exactly, being back where it has the robot is a loop too.
     const std::optional<double> way = ways.to(place);
-    const double sigma = way ? positionSigma(*way, node.compass.has_value()) : sigmaElsewhere(at);
+    const double sigma = std::min(
+        positionSigma(way.value_or(kFarthestWay), node.compass.has_value()), mostSigma(at));
     const bool told = sigma <= kTrackSigma;
     if ((view.tracked || told) && std::hypot(seen.pose.x - here.x, seen.pose.y - here.y) < 0.5 &&
         std::abs(wrapAngle(seen.pose.yaw - here.yaw)) < 15.0 * kDegree) {

@@ -73,12 +73,12 @@ std::vector<Sighting> ScanTying::sightings(const std::vector<PlaceFit>& fits,
 }
 
 bool ScanTying::track(NodeIndex node, const LaidScan& scan, const std::vector<PlaceFit>& fits,
-                      WaySearch& ways, double sigma_elsewhere, bool near_only, int closure) {
+                      WaySearch& ways, double most_sigma, bool near_only, int closure) {
   const Pose2d& estimate = scan.map_from_base;
   const bool compass = graph_.node(node).compass.has_value();
   const auto sigmaTo = [&](PlaceId id) {
     const std::optional<double> way = ways.to(shelf_.nodeOf(id));
-    return way ? positionSigma(*way, compass) : sigma_elsewhere;
+    return way ? std::min(positionSigma(*way, compass), most_sigma) : most_sigma;
   };
   const std::vector<Sighting> seen = sightings(fits, scan);
   const bool there = std::any_of(seen.begin(), seen.end(), [&](const Sighting& sighting) {

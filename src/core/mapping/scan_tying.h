@@ -40,10 +40,10 @@ class ScanTying {
   /// Whether one of the fits is where the robot is thought to be, as far as odometry can tell since
   /// it was at that place; then the scan is tied to the places about. `closure`: on which closure
   /// all of this rests, 0: none.
-  /// `ways`: from the node; `sigma_elsewhere`: how well it is known where places are to which none
-  /// leads [m]. `near_only`: only a fit close by is one, however sure another is.
+  /// `ways`: from the node; `most_sigma`: how well it is known where any place is, however long the
+  /// way to it, or none [m]. `near_only`: only a fit close by is one, however sure another is.
   bool track(NodeIndex node, const LaidScan& scan, const std::vector<PlaceFit>& fits,
-             WaySearch& ways, double sigma_elsewhere, bool near_only, int closure);
+             WaySearch& ways, double most_sigma, bool near_only, int closure);
 
   /// Ties the node to a place where that aligns within `near` [m] of where the robot is thought to
   /// be; `window` is how far the heading may be off [rad].
