@@ -238,8 +238,9 @@ void ExploreServer::take(const DriveReport& report) {
 
 void ExploreServer::sayFeedback(const DriveReport& report) {
   const ros::SteadyTime steady = ros::SteadyTime::now();
-  if (steady - last_feedback_ < kFeedbackPeriod) return;
+  if (report.state == last_state_ && steady - last_feedback_ < kFeedbackPeriod) return;
   last_feedback_ = steady;
+  last_state_ = report.state;
   ExploreFeedback feedback;
   feedback.message = aimInWords(run_->task()->aim);
   if (report.state != State::kGoing) feedback.message += ": " + inWords(report);

@@ -88,6 +88,7 @@ class ExploreServer {
   std::chrono::nanoseconds accepted_{0};  // when the goal was, steady
   GoalWatch watch_;
   ros::SteadyTime last_feedback_;
+  DriveReport::State last_state_ = DriveReport::State::kGoing;  ///< what it does is said at once
   ros::SteadyTimer timer_;
   std::unique_ptr<ros::AsyncSpinner> spinner_;
 };

@@ -231,8 +231,9 @@ void GoServer::take(const DriveReport& report, std::chrono::nanoseconds now) {
 
 void GoServer::sayFeedback(const DriveReport& report) {
   const ros::SteadyTime steady = ros::SteadyTime::now();
-  if (steady - last_feedback_ < kFeedbackPeriod) return;
+  if (report.state == last_state_ && steady - last_feedback_ < kFeedbackPeriod) return;
   last_feedback_ = steady;
+  last_state_ = report.state;
   const core::GoalRun::Leg& leg = *run_->leg();
   GoToPlaceFeedback feedback;
   feedback.leg = run_->legInWords();

@@ -85,6 +85,7 @@ class GoServer {
   std::uint64_t map_version_ = 0;  // that run_ has followed
   GoalWatch watch_;
   ros::SteadyTime last_feedback_;
+  DriveReport::State last_state_ = DriveReport::State::kGoing;  ///< what it does is said at once
   ros::SteadyTimer timer_;
   std::unique_ptr<ros::AsyncSpinner> spinner_;
 };
