@@ -33,7 +33,7 @@ class GridWaysTest : public testing::Test {
     return sum;
   }
 
-  const FreeSpaceOptions options_;
+  const FreeSpaceOptions options_{};
   const Pose2d robot_{1.25, 2.75, 0.0};
 };
 
