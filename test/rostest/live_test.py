@@ -1,5 +1,6 @@
 """What tests beside a live place_memory_node share."""
 
+import contextlib
 import os
 import resource
 import subprocess
@@ -148,6 +149,15 @@ class LiveTestCase(unittest.TestCase):
         self.folder = folder.name
         self.newest_scan = None
         self.world.now += 100.0  # no test sees the time of another one
+
+    @contextlib.contextmanager
+    def subTest(self, *message, **parameters):
+        """The first part that fails ends its test and says which it was: what unittest's own finds,
+        rosunit counts and does not tell."""
+        try:
+            yield
+        except AssertionError as error:
+            raise AssertionError("with %s: %s" % (parameters or message, error)) from error
 
     def start_node(self, **parameters):
         """Starts a node, by names that no node had before, and a robot for it; waits until it hears
