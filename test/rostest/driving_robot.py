@@ -194,7 +194,7 @@ class GoTestCase(DriveTestCase):
         self.addCleanup(sent.leave)
         return sent
 
-    def assert_at(self, place, tolerance=0.6):
+    def assert_at(self, place, tolerance=0.75):
         """By where the robot truly is."""
         stood = compose((place.location.x, place.location.y, place.location.theta),
                         (place.robot.x, place.robot.y, place.robot.theta))
