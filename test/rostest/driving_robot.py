@@ -6,7 +6,6 @@ import shutil
 import subprocess
 import tempfile
 
-import actionlib
 import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from place_memory import msg
@@ -57,33 +56,13 @@ class DrivingRobot(FakeRobot):
             self.odometry = compose(self.odometry, move)
 
 
-class Goal:
+class Goal(live_test.ActionGoal):
     """A goal of ~go_to_place on its way."""
 
     action, action_type, goal_type = "/go_to_place", msg.GoToPlaceAction, msg.GoToPlaceGoal
 
     def __init__(self, node, **goal):
-        self.feedback = []
-        self._client = actionlib.ActionClient(node.name + self.action, self.action_type)
-        self._client.wait_for_server()
-        self._goal = self._client.send_goal(
-            self.goal_type(**goal),
-            feedback_cb=lambda _, feedback: self.feedback.append(feedback))
-
-    def cancel(self):
-        self._goal.cancel()
-
-    def leave(self):
-        self._client.stop()
-
-    def is_over(self):
-        return self._goal.get_comm_state() == actionlib.CommState.DONE
-
-    def state(self):
-        return self._goal.get_goal_status()
-
-    def result(self):
-        return self._goal.get_result()
+        super().__init__(node, self.goal_type(**goal))
 
 
 class DriveTestCase(live_test.LiveTestCase):

@@ -95,29 +95,23 @@ class Node:
             return file.read()
 
 
-class Scan:
-    """A goal of ~scan on its way."""
+class ActionGoal:
+    """A goal of one of the node's actions on its way."""
 
-    def __init__(self, node, goal, now):
+    action, action_type = None, None  # by whoever derives from it
+
+    def __init__(self, node, goal):
         self.feedback = []
-        self.begun = now  # [s]
-        self.node_time = 0.0  # at the newest feedback [s]
-        self._client = actionlib.ActionClient(node.name + "/scan", msg.ScanPlaceAction)
+        self._client = actionlib.ActionClient(node.name + self.action, self.action_type)
         self._client.wait_for_server()
-        self._subscriber = rospy.Subscriber(node.name + "/scan/feedback",
-                                            msg.ScanPlaceActionFeedback, self._on_stamped_feedback)
         self._goal = self._client.send_goal(
             goal, feedback_cb=lambda _, feedback: self.feedback.append(feedback))
-
-    def _on_stamped_feedback(self, message):
-        self.node_time = message.header.stamp.to_sec()
 
     def cancel(self):
         self._goal.cancel()
 
     def leave(self):
         """The client goes away without a word."""
-        self._subscriber.unregister()
         self._client.stop()
 
     def is_over(self):
@@ -129,6 +123,26 @@ class Scan:
 
     def result(self):
         return self._goal.get_result()
+
+
+class Scan(ActionGoal):
+    """A goal of ~scan on its way."""
+
+    action, action_type = "/scan", msg.ScanPlaceAction
+
+    def __init__(self, node, goal, now):
+        self.begun = now  # [s]
+        self.node_time = 0.0  # at the newest feedback [s]
+        self._subscriber = rospy.Subscriber(node.name + "/scan/feedback",
+                                            msg.ScanPlaceActionFeedback, self._on_stamped_feedback)
+        super().__init__(node, goal)
+
+    def _on_stamped_feedback(self, message):
+        self.node_time = message.header.stamp.to_sec()
+
+    def leave(self):
+        self._subscriber.unregister()
+        super().leave()
 
 
 class LiveTestCase(unittest.TestCase):
