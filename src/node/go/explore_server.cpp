@@ -63,38 +63,26 @@ ExploreServer::ExploreServer(const ros::NodeHandle& names, const ros::NodeHandle
                              const Context& context)
     : context_(context),
       parameters_(context.pilot.parameters),
-      queue_("explorations", [this](const std::string& what) { onError(what); }),
-      names_(names),
-      private_names_(private_names),
+      thread_(names, private_names, kExploreAction, kUpdatePeriod,
+              {[this](const GoalHandle& goal) { onGoal(goal); },
+               [this](const GoalHandle& goal) { onCancel(goal); }, [this] { update(); },
+               [this](const std::string& what) { onError(what); }}),
+      pilot_(std::make_unique<Pilot>(thread_.names(), context.pilot)),
       watch_(toNanoseconds(parameters_.time_jump_tolerance)) {
-  names_.setCallbackQueue(&queue_);
-  private_names_.setCallbackQueue(&queue_);
-  pilot_ = std::make_unique<Pilot>(names_, context.pilot);
-  server_ = std::make_unique<ActionServer>(
-      ros::NodeHandle(private_names_, kExploreAction),
-      [this](const GoalHandle& goal) { onGoal(goal); },
-      [this](const GoalHandle& goal) { onCancel(goal); });
-  timer_ = names_.createSteadyTimer(kUpdatePeriod, &ExploreServer::update, this);
-  server_->start();
-  spinner_ = std::make_unique<ros::AsyncSpinner>(1, &queue_);
-  spinner_->start();
+  thread_.start();
 }
 
 ExploreServer::~ExploreServer() { stop(); }
 
 void ExploreServer::stop() {
-  if (!spinner_) return;
-  spinner_->stop();
-  spinner_.reset();
-  timer_.stop();
+  if (!thread_.halt()) return;
   if (run_) {
     finish(Result::SHUTDOWN, "the node was stopped, and the robot with it");
     kLastMessages.sleep();
   }
   goal_ = GoalHandle();
-  server_.reset();
   pilot_.reset();
-  queue_.clear();
+  thread_.close();
 }
 
 bool ExploreServer::mayBegin(const ExploreGoal& goal, ExploreResult& result) const {
@@ -173,7 +161,7 @@ std::optional<core::Pose2d> ExploreServer::instead() const {
   return run_->mapFromOdom();
 }
 
-void ExploreServer::update(const ros::SteadyTimerEvent& /*event*/) {
+void ExploreServer::update() {
   if (!run_) return;
   const std::chrono::nanoseconds now = rosNow();
   if (watch(now)) return;

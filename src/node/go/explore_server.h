@@ -3,8 +3,7 @@
 
 #include <place_memory/ExploreAction.h>
 #include <ros/node_handle.h>
-#include <ros/spinner.h>
-#include <ros/steady_timer.h>
+#include <ros/time.h>
 
 #include <chrono>
 #include <cstdint>
@@ -13,8 +12,7 @@
 #include <string>
 
 #include "config/parameters.h"
-#include "node/base/guarded_queue.h"
-#include "node/base/steady_action_server.h"
+#include "node/base/action_thread.h"
 #include "node/drive/map_driver.h"
 #include "node/go/explore_run.h"
 #include "node/go/goal_watch.h"
@@ -53,13 +51,12 @@ class ExploreServer {
   void onTimeJump() { watch_.onTimeJump(); }
 
  private:
-  using ActionServer = SteadyActionServer<ExploreAction>;
-  using GoalHandle = ActionServer::GoalHandle;
+  using GoalHandle = ActionThread<ExploreAction>::GoalHandle;
 
   void onGoal(const GoalHandle& goal);
   void onCancel(const GoalHandle& goal);
   void onError(const std::string& what);
-  void update(const ros::SteadyTimerEvent& event);
+  void update();
 
   /// Whether the goal may run; `result` says why not.
   bool mayBegin(const ExploreGoal& goal, ExploreResult& result) const;
@@ -77,11 +74,8 @@ class ExploreServer {
 
   const Context context_;
   const config::Parameters& parameters_;
-  GuardedQueue queue_;
-  ros::NodeHandle names_;
-  ros::NodeHandle private_names_;
+  ActionThread<ExploreAction> thread_;
   std::unique_ptr<Pilot> pilot_;
-  std::unique_ptr<ActionServer> server_;
   GoalHandle goal_;  // of run_
   std::optional<ExploreRun> run_;
   core::Pose2d driven_;                   // spot that the pilot drives to
@@ -89,8 +83,6 @@ class ExploreServer {
   GoalWatch watch_;
   ros::SteadyTime last_feedback_;
   DriveReport::State last_state_ = DriveReport::State::kGoing;  ///< what it does is said at once
-  ros::SteadyTimer timer_;
-  std::unique_ptr<ros::AsyncSpinner> spinner_;
 };
 
 }  // namespace place_memory::node

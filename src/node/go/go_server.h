@@ -3,8 +3,7 @@
 
 #include <place_memory/GoToPlaceAction.h>
 #include <ros/node_handle.h>
-#include <ros/spinner.h>
-#include <ros/steady_timer.h>
+#include <ros/time.h>
 
 #include <chrono>
 #include <cstdint>
@@ -14,8 +13,7 @@
 
 #include "config/parameters.h"
 #include "core/drive/goal_run.h"
-#include "node/base/guarded_queue.h"
-#include "node/base/steady_action_server.h"
+#include "node/base/action_thread.h"
 #include "node/drive/map_driver.h"
 #include "node/go/goal_watch.h"
 #include "node/go/pilot.h"
@@ -51,13 +49,12 @@ class GoServer {
   void onTimeJump() { watch_.onTimeJump(); }
 
  private:
-  using ActionServer = SteadyActionServer<GoToPlaceAction>;
-  using GoalHandle = ActionServer::GoalHandle;
+  using GoalHandle = ActionThread<GoToPlaceAction>::GoalHandle;
 
   void onGoal(const GoalHandle& goal);
   void onCancel(const GoalHandle& goal);
   void onError(const std::string& what);
-  void update(const ros::SteadyTimerEvent& event);
+  void update();
 
   void begin(const core::RouteEnd& end);
   core::RoutePlan plan(core::PlaceId from, const core::GoalRun::Avoided& avoided) const;
@@ -73,11 +70,8 @@ class GoServer {
 
   const Context context_;
   const config::Parameters& parameters_;
-  GuardedQueue queue_;
-  ros::NodeHandle names_;
-  ros::NodeHandle private_names_;
+  ActionThread<GoToPlaceAction> thread_;
   std::unique_ptr<Pilot> pilot_;
-  std::unique_ptr<ActionServer> server_;
   GoalHandle goal_;  // of run_
   std::optional<core::GoalRun> run_;
   core::RouteEnd end_;             // of run_
@@ -86,8 +80,6 @@ class GoServer {
   GoalWatch watch_;
   ros::SteadyTime last_feedback_;
   DriveReport::State last_state_ = DriveReport::State::kGoing;  ///< what it does is said at once
-  ros::SteadyTimer timer_;
-  std::unique_ptr<ros::AsyncSpinner> spinner_;
 };
 
 }  // namespace place_memory::node
