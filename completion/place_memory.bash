@@ -1,7 +1,7 @@
 # Completion for bash of the program place_memory; the shell reads it by: . place_memory.bash
 _place_memory() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}
-  local commands="list show learn recognize plan export merge history undo stats check twins changes"
+  local commands="list show learn recognize plan go export merge history undo stats check twins changes"
   local options="--store --node --params --json --png --from --label --scan --count --help"
   case $before in
     --store | -s | --from | --params | --png | merge)

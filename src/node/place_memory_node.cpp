@@ -70,8 +70,11 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       drive_lease_(names_),
       echoes_(buffer_, parameters_.base_frame),
       robot_finder_(parameters_, buffer_, *memory_, driver_),
-      go_server_(names_, private_names_,
-                 {*memory_, driver_, {parameters_, drive_lease_, echoes_, robot_finder_}}),
+      view_asker_({parameters_, buffer_, *memory_, driver_, robot_finder_,
+                   [this] { return answer_publisher_.newest(); }}),
+      go_server_(
+          names_, private_names_,
+          {*memory_, driver_, view_asker_, {parameters_, drive_lease_, echoes_, robot_finder_}}),
       explore_server_(
           names_, private_names_,
           {*memory_, driver_, survey_feed_, {parameters_, drive_lease_, echoes_, robot_finder_}}),
@@ -94,6 +97,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
                                  drive_publisher_, parameters_, store_problem_}),
       route_services_(
           private_names_, *memory_, [this] { return believedPlaces(); }, parameters_),
+      view_service_(private_names_, *memory_, view_asker_),
       store_services_(private_names_, *memory_, driver_, answer_publisher_, parameters_) {
   memory_->listen([this](const core::MapChange& change) { survey_feed_.follow(change); });
   setUpDiagnostics();
@@ -230,8 +234,8 @@ std::vector<core::RouteStart> PlaceMemoryNode::believedPlaces() const {
   std::vector<core::RouteStart> places;
   const std::optional<core::BeliefSummary> belief = driver_.belief();
   if (!belief) return places;
-  for (const auto& [id, probability] : belief->places) {
-    if (probability >= kWorthARoute) places.push_back({id, probability});
+  for (const core::BelievedPlace& place : belief->places) {
+    if (place.probability >= kWorthARoute) places.push_back({place.id, place.probability});
   }
   return places;
 }

@@ -20,6 +20,7 @@
 #include "node/answer/place_services.h"
 #include "node/answer/route_services.h"
 #include "node/answer/store_services.h"
+#include "node/answer/view_service.h"
 #include "node/base/drive_lease.h"
 #include "node/base/guarded_queue.h"
 #include "node/drive/drive_publisher.h"
@@ -30,6 +31,7 @@
 #include "node/go/go_server.h"
 #include "node/go/robot_finder.h"
 #include "node/go/survey_feed.h"
+#include "node/go/view_asker.h"
 #include "node/input/transform_input.h"
 #include "node/live_parameters.h"
 #include "node/map/fused_map_publisher.h"
@@ -94,6 +96,7 @@ class PlaceMemoryNode {
   DriveLease drive_lease_;
   EchoListener echoes_;
   RobotFinder robot_finder_;
+  ViewAsker view_asker_;
   GoServer go_server_;
   ExploreServer explore_server_;
   ScanServer scan_server_;
@@ -107,6 +110,7 @@ class PlaceMemoryNode {
   DriveServices drive_services_;
   PlaceServices services_;  ///< ends with the next two: changes come from there
   RouteServices route_services_;
+  ViewService view_service_;
   StoreServices store_services_;
 };
 

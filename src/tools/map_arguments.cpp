@@ -19,7 +19,7 @@ struct Command {
   const char* use;
 };
 
-constexpr std::array<Command, 13> kCommands{{
+constexpr std::array<Command, 14> kCommands{{
     {"list", 0, 0, "list                  every place"},
     {"show", 1, 1,
      "show PLACE            one place, its links and its grid; --png FILE: as picture"},
@@ -40,6 +40,7 @@ constexpr std::array<Command, 13> kCommands{{
      "changes [PLACE]       what has changed at places since they were learned, or as the places "
      "of --from FILE show"},
     {"plan", 2, 2, "plan FROM TO          the way from place to place"},
+    {"go", 1, 1, "go PLACE              node: drives the robot there; Ctrl-C cancels it"},
 }};
 
 po::options_description describe(MapArguments& arguments) {

@@ -71,6 +71,7 @@ class Commands {
     if (arguments_.command == "history") return history();
     if (arguments_.command == "undo") return undo();
     if (arguments_.command == "stats") return stats();
+    if (arguments_.command == "go") return go();
     return plan();
   }
 
@@ -176,6 +177,14 @@ class Commands {
     notes_ << picture::decimal(route.cost, 1) << " s, odds " << picture::decimal(route.odds, 2)
            << '\n';
     return kDone;
+  }
+
+  ExitStatus go() {
+    const DrivenGoal goal =
+        source_->go(arguments_.words.front(),
+                    [this](const std::string& sentence) { notes_ << sentence << std::endl; });
+    if (goal.end == DrivenGoal::End::kReached) return say(goal.message);
+    throw CommandError(goal.message, goal.end == DrivenGoal::End::kNoWay ? kNo : kFailed);
   }
 
   ExitStatus merge() {

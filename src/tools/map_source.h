@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_TOOLS_MAP_SOURCE_H
 
 #include <cstddef>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -60,6 +61,20 @@ struct PlannedRoute {
   double odds = 1.0;                ///< of getting through at the first attempt
 };
 
+/// Is told what happens, in a sentence each.
+using Progress = std::function<void(const std::string&)>;
+
+/// What became of driving to a place.
+struct DrivenGoal {
+  enum class End {
+    kReached,
+    kNoWay,  ///< none leads there, or there is no such place
+    kFailed,
+  };
+  End end = End::kFailed;
+  std::string message;  ///< where the robot is, or why it is not there
+};
+
 /// A map, be it in a file or in a node that runs. What fails throws CommandError, or another
 /// std::exception that says why.
 class MapSource {
@@ -78,6 +93,8 @@ class MapSource {
   virtual std::string merge(const std::string& path, std::vector<std::string>& collisions) = 0;
   virtual PlannedRoute plan(const std::string& from, const std::string& to) = 0;
   virtual Recognized recognize(const ScanChoice& scan) = 0;
+  /// Has the robot drive there, and waits until that is over.
+  virtual DrivenGoal go(const std::string& label, const Progress& progress) = 0;
   virtual std::vector<core::PastChange> history(std::size_t count) = 0;
   virtual std::vector<core::PastChange> undo(std::size_t count) = 0;
 };

@@ -19,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/node_drive.h"
+
 namespace place_memory::tools {
 namespace {
 
@@ -157,6 +159,10 @@ Recognized NodeSource::recognize(const ScanChoice& choice) {
         {match.label, match.probability, match.score, toCore(match.transform)});
   }
   return result;
+}
+
+DrivenGoal NodeSource::go(const std::string& label, const Progress& progress) {
+  return driveTo(name_, label, progress);
 }
 
 PlannedRoute NodeSource::plan(const std::string& from, const std::string& to) {

@@ -27,6 +27,7 @@ class NodeSource : public MapSource {
   std::string merge(const std::string& path, std::vector<std::string>& collisions) override;
   PlannedRoute plan(const std::string& from, const std::string& to) override;
   Recognized recognize(const ScanChoice& scan) override;
+  DrivenGoal go(const std::string& label, const Progress& progress) override;
   std::vector<core::PastChange> history(std::size_t count) override;
   std::vector<core::PastChange> undo(std::size_t count) override;
 

@@ -74,6 +74,10 @@ std::string StoreSource::learn(const std::string& label, const ScanChoice& choic
          (learned.apart ? "; " + learned.message : "");
 }
 
+DrivenGoal StoreSource::go(const std::string& /*label*/, const Progress& /*progress*/) {
+  throw CommandError("a file drives no robot: name a node that runs by --node");
+}
+
 Recognized StoreSource::recognize(const ScanChoice& choice) {
   const core::PlaceMemory::Answer answer = memory_.recognize(scanOf(choice), std::nullopt);
   const core::Recognition& recognition = answer.recognition;

@@ -198,15 +198,6 @@ class LiveGoTest(GoTestCase):
     def test_a_robot_that_is_carried_stops_in_mode_localize(self):
         self.check_that_a_robot_that_is_carried_stops("localize")
 
-    def test_a_robot_that_is_carried_unnoticed_finds_that_out_and_stops(self):
-        self.start_at(mode="localize")
-        goal = self.go(label=self.place_near(SOUTH_EAST).label)
-        self.go_on(0.5, goal)
-        self.robot.in_room = (2.6, 1.75, 2.0)
-        self.run_robot(goal.is_over, "the goal to end")
-        self.assertNotEqual(goal.result().status, GoToPlaceResult.REACHED, goal.result())
-        self.assert_stands()
-
     def test_a_mode_that_is_set_on_the_way_ends_the_goal(self):
         self.start_at(mode="localize")
         goal = self.go(label=self.place_near(SOUTH_EAST).label)

@@ -36,6 +36,7 @@ SERVICES = {
     "report_traversal": srv.ReportTraversal,
     "set_link": srv.SetLink,
     "make_plan": GetPlan,
+    "suggest_view": srv.SuggestView,
     "set_mode": srv.SetMode,
     "relocalize": srv.Relocalize,
     "undo": srv.Undo,

@@ -72,6 +72,7 @@ class MapToolTest(ToolTest):
         self.assertEqual((drawn.width, drawn.height), (512, 512))
         self.assertGreater(len(set(drawn.bytes)), 3)
         self.say("show", "attic", status=NO)
+        self.assertIn("--node", self.say("go", "hall", status=FAILED).stderr)
 
     def test_scans_of_another_store_are_recognized_and_learned(self):
         other = self.path("other.db")

@@ -33,20 +33,22 @@ bool EchoRing::isBlind(std::chrono::nanoseconds now) const {
   });
 }
 
-double EchoRing::ahead(std::chrono::nanoseconds now, double half_width) const {
+double EchoRing::along(std::chrono::nanoseconds now, double bearing, double half_width) const {
   double nearest = kFar;
+  const Pose2d way_from_base = Pose2d{0.0, 0.0, bearing}.inverse();
   forEachEcho(now, [&](double x, double y) {
-    if (x > 0.0 && std::abs(y) < half_width) nearest = std::min(nearest, x);
+    const Pose2d echo = way_from_base * Pose2d{x, y, 0.0};
+    if (echo.x > 0.0 && std::abs(echo.y) < half_width) nearest = std::min(nearest, echo.x);
   });
   return nearest;
 }
 
-double EchoRing::behind(std::chrono::nanoseconds now, double half_width) const {
-  double nearest = kFar;
-  forEachEcho(now, [&](double x, double y) {
-    if (x < 0.0 && std::abs(y) < half_width) nearest = std::min(nearest, -x);
+bool EchoRing::looks(std::chrono::nanoseconds now, double bearing, double within) const {
+  return std::any_of(heard_.begin(), heard_.end(), [&](const auto& item) {
+    const Heard& heard = item.second;
+    return now - heard.stamp <= memory_ &&
+           std::abs(wrapAngle(heard.base_from_sensor.yaw - bearing)) <= within;
   });
-  return nearest;
 }
 
 double EchoRing::beside(std::chrono::nanoseconds now, double side, double reach) const {

@@ -26,8 +26,16 @@ class EchoRing {
   bool isBlind(std::chrono::nanoseconds now) const;
   /// From the robot's middle to the nearest echo within `half_width` of the way ahead [m]; infinite
   /// where there is none.
-  double ahead(std::chrono::nanoseconds now, double half_width) const;
-  double behind(std::chrono::nanoseconds now, double half_width) const;
+  double ahead(std::chrono::nanoseconds now, double half_width) const {
+    return along(now, 0.0, half_width);
+  }
+  double behind(std::chrono::nanoseconds now, double half_width) const {
+    return along(now, kPi, half_width);
+  }
+  /// Likewise of a way that begins in another direction [rad].
+  double along(std::chrono::nanoseconds now, double bearing, double half_width) const;
+  /// Whether a sonar that looks there, but for `within` [rad], was heard lately.
+  bool looks(std::chrono::nanoseconds now, double bearing, double within) const;
   /// How far to the left (`side` 1) or right (-1) of the way ahead the nearest echo lies that is no
   /// further ahead than `reach` [m].
   double beside(std::chrono::nanoseconds now, double side, double reach) const;

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -70,11 +71,22 @@ struct ScanDecision {
 /// "new_place", "tracked", "closed", "candidate", "between" or "lost", as tables have it.
 const char* nameOf(ScanDecision::Kind kind);
 
+/// A place at which the robot may be.
+struct BelievedPlace {
+  PlaceId id = kNoPlace;
+  double probability = 0.0;
+  Pose2d map_from_base;  ///< where it is then
+};
+
 /// The belief as others are told it.
 struct BeliefSummary {
-  std::vector<std::pair<PlaceId, double>> places;  ///< the most probable, most probable first
+  std::vector<BelievedPlace> places;  ///< the most probable, most probable first
   double off_map = 1.0;
   double lost = 1.0;
+  Pose2d odom_from_base;  ///< at the moment that it speaks of
+  /// What the newest scan showed; nullptr: there was none since where the robot is became unknown.
+  std::shared_ptr<const EvidenceGrid> seen;
+  Pose2d seen_from_base;  ///< where the robot was in that grid at the same moment
 };
 
 /// A place of the map.
@@ -266,6 +278,9 @@ class Mapper {
   bool compass_guides_ = false;  ///< to the map: what it errs by is known, and little everywhere
   LostEstimate lost_;
   PlaceBelief belief_;
+  Pose2d believed_odom_;  ///< of the base when belief_ was brought up to date
+  std::shared_ptr<const EvidenceGrid> seen_;
+  Pose2d seen_from_base_;
 };
 
 }  // namespace place_memory::core

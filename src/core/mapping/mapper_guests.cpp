@@ -36,6 +36,7 @@ void Mapper::setPose(const Pose2d& map_from_base) {
   anchored_way_ = reckoning_.way();
   lost_.set(kLostByWord);
   belief_.reset();
+  believed_odom_ = newest_odom_;
   for (const PlaceShelf::Near& near : shelf_.near(map_from_base, kMapSession, kToldRegion, true)) {
     belief_.setTo(near.id, graph_.node(shelf_.nodeOf(near.id)).pose.inverse() * map_from_base);
     break;

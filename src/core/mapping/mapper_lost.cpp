@@ -53,17 +53,28 @@ void Mapper::believe(NodeIndex at, const std::vector<PlaceFit>& fits, const Laid
         {fits[i].id, fits[i].score, map.map_from_place(fits[i].id).inverse() * seen[i].pose});
   }
   belief_.measure(matches, known, std::min(1.0, moved), map);
+  believed_odom_ = node.odom_from_base;
+  seen_ = std::make_shared<const EvidenceGrid>(scan.grid);
+  seen_from_base_ = {0.0, 0.0, scan.map_from_base.yaw};
 }
 
 BeliefSummary Mapper::belief() const {
   BeliefSummary summary;
-  for (const auto& [id, state] : belief_.states()) summary.places.emplace_back(id, state.mass);
-  std::sort(summary.places.begin(), summary.places.end(), [](const auto& a, const auto& b) {
-    return a.second != b.second ? a.second > b.second : a.first < b.first;
-  });
+  for (const auto& [id, state] : belief_.states()) {
+    if (!shelf_.has(id)) continue;
+    const Pose2d& map_from_place = graph_.node(shelf_.nodeOf(id)).pose;
+    summary.places.push_back({id, state.mass, map_from_place * state.place_from_base});
+  }
+  std::sort(summary.places.begin(), summary.places.end(),
+            [](const BelievedPlace& a, const BelievedPlace& b) {
+              return a.probability != b.probability ? a.probability > b.probability : a.id < b.id;
+            });
   if (summary.places.size() > kMostTold) summary.places.resize(kMostTold);
   summary.off_map = belief_.offMap();
   summary.lost = lost();
+  summary.odom_from_base = believed_odom_;
+  summary.seen = seen_;
+  summary.seen_from_base = seen_from_base_;
   return summary;
 }
 
@@ -156,6 +167,7 @@ void Mapper::beginApart() {
   session_ = ++last_session_;
   lost_.set(0.0);
   belief_.reset();
+  seen_.reset();
 }
 
 }  // namespace place_memory::core

@@ -47,6 +47,9 @@ void AnswerPublisher::publish(const core::Scan& scan, const core::PlaceMemory::A
   const std::lock_guard<std::mutex> lock(mutex_);
   if (answer.whereabouts.version < newest_) return;
   newest_ = answer.whereabouts.version;
+  answer_ = std::make_shared<const ScanAnswer>(ScanAnswer{answer.recognition.verdict,
+                                                          answer.recognition.matches, scan.grid,
+                                                          scan.odom_from_scan, scan.robot_in_scan});
   recognition_.publish(message);
   matched_grid_.publish(grid);
   matched_cells_.publish(cells);
@@ -64,7 +67,13 @@ void AnswerPublisher::overtake() {
   const std::lock_guard<std::mutex> lock(mutex_);
   const core::Whereabouts whereabouts = memory_.whereabouts();
   newest_ = whereabouts.version;
+  answer_.reset();
   publishCurrentPlaceLocked(whereabouts);
+}
+
+std::shared_ptr<const ScanAnswer> AnswerPublisher::newest() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return answer_;
 }
 
 void AnswerPublisher::showPlace(core::PlaceId id) {

@@ -8,6 +8,7 @@
 #include <ros/publisher.h>
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "config/parameters.h"
 #include "node/answer/answer_markers.h"
+#include "node/go/view_asker.h"
 #include "place_memory/core/place_memory.h"
 #include "place_memory/core/scan.h"
 
@@ -34,6 +36,9 @@ class AnswerPublisher {
   /// `message` is `answer` as the client gets it.
   void publish(const core::Scan& scan, const core::PlaceMemory::Answer& answer,
                const Recognition& message);
+
+  /// The newest answer that nothing has overtaken; nullptr: there is none.
+  std::shared_ptr<const ScanAnswer> newest() const;
 
   /// A place was learned, or the robot was carried: answers to what was asked before are overtaken.
   void overtake();
@@ -69,8 +74,9 @@ class AnswerPublisher {
   ros::Publisher pose_;
 
   /// Held while something is published, so that the last message is the newest.
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::uint64_t newest_ = 0;  ///< version of the whereabouts after the newest answer
+  std::shared_ptr<const ScanAnswer> answer_;
   std::optional<std::string> published_label_;
 };
 

@@ -83,11 +83,11 @@ PlaceBelief DrivePublisher::toMessage(const core::BeliefSummary& belief,
                                       std::chrono::nanoseconds stamp) const {
   PlaceBelief message;
   message.header = makeHeader(parameters_.map_frame, toRosTime(stamp));
-  for (const auto& [id, probability] : belief.places) {
-    const auto place = memory_.place(id);
-    message.ids.push_back(id);
+  for (const core::BelievedPlace& believed : belief.places) {
+    const auto place = memory_.place(believed.id);
+    message.ids.push_back(believed.id);
     message.labels.push_back(place ? place->label : "");
-    message.probabilities.push_back(probability);
+    message.probabilities.push_back(believed.probability);
   }
   message.off_map = belief.off_map;
   message.p_lost = belief.lost;

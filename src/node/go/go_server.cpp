@@ -121,8 +121,10 @@ void GoServer::begin(const core::RouteEnd& end) {
   const RobotFinder::Found found = context_.pilot.finder.find(now);
   if (found.fix) {
     run_->begin(found.fix->map_from_base, now);
-  } else {
+  } else if (found.odometry_is_old) {
     run_->end(Outcome::kLost, found.problem);
+  } else {
+    beginSearch(found.problem);
   }
   finishIfOver();
 }
@@ -176,7 +178,11 @@ void GoServer::update() {
   if (!run_) return;
   const std::chrono::nanoseconds now = rosNow();
   if (watch(now)) return;
-  drive(now);
+  if (searches_) {
+    search(now);
+  } else {
+    drive(now);
+  }
 }
 
 void GoServer::drive(std::chrono::nanoseconds now) {
@@ -210,6 +216,9 @@ void GoServer::take(const DriveReport& report, std::chrono::nanoseconds now) {
     case State::kPreempted:
       run_->end(Outcome::kPreempted, report.why);
       break;
+    case State::kLost:
+      beginSearch(report.why);
+      break;
     default:
       run_->end(Outcome::kLost, report.why);
       break;
@@ -217,11 +226,16 @@ void GoServer::take(const DriveReport& report, std::chrono::nanoseconds now) {
   finishIfOver();
 }
 
-void GoServer::sayFeedback(const DriveReport& report) {
+bool GoServer::isFeedbackDue(State state) {
   const ros::SteadyTime steady = ros::SteadyTime::now();
-  if (report.state == last_state_ && steady - last_feedback_ < kFeedbackPeriod) return;
+  if (state == last_state_ && steady - last_feedback_ < kFeedbackPeriod) return false;
   last_feedback_ = steady;
-  last_state_ = report.state;
+  last_state_ = state;
+  return true;
+}
+
+void GoServer::sayFeedback(const DriveReport& report) {
+  if (!isFeedbackDue(report.state)) return;
   const core::GoalRun::Leg& leg = *run_->leg();
   GoToPlaceFeedback feedback;
   feedback.leg = run_->legInWords();
@@ -247,6 +261,8 @@ void GoServer::finish(std::uint8_t status, std::string message) {
   result.tried = run_->tried();
   result.legs = static_cast<std::uint32_t>(run_->legsDone());
   run_.reset();
+  search_.reset();
+  searches_ = false;
   ROS_INFO("%s: %s", kSource, result.message.c_str());
   if (status == Result::REACHED) {
     goal_.setSucceeded(result, result.message);

@@ -17,6 +17,8 @@
 #include "node/drive/map_driver.h"
 #include "node/go/goal_watch.h"
 #include "node/go/pilot.h"
+#include "node/go/robot_search.h"
+#include "node/go/view_asker.h"
 #include "place_memory/core/place_memory.h"
 
 namespace place_memory::node {
@@ -25,13 +27,15 @@ namespace place_memory::node {
 ///
 /// One goal at a time: a newer one ends the one that runs. A goal that makes no sense, or that
 /// names no place, is rejected and changes nothing, as is any goal while something else moves the
-/// robot. Everything runs on a thread of the server's own.
+/// robot. A robot that does not know where it is looks about first. Everything runs on a thread of
+/// the server's own.
 class GoServer {
  public:
   /// All references must outlive it.
   struct Context {
     core::PlaceMemory& memory;
     const MapDriver& driver;
+    const ViewAsker& asker;
     Pilot::Context pilot;
   };
 
@@ -62,7 +66,11 @@ class GoServer {
   /// Whether something else than the drive ends the goal.
   bool watch(std::chrono::nanoseconds now);
   void drive(std::chrono::nanoseconds now);
+  /// It is not known where the robot is: looks about where that is possible, or ends the goal.
+  void beginSearch(const std::string& why);
+  void search(std::chrono::nanoseconds now);
   void take(const DriveReport& report, std::chrono::nanoseconds now);
+  bool isFeedbackDue(DriveReport::State state);
   void sayFeedback(const DriveReport& report);
   void finishIfOver();
   /// `message` by value: the run, which may hold it, ends here.
@@ -74,6 +82,8 @@ class GoServer {
   std::unique_ptr<Pilot> pilot_;
   GoalHandle goal_;  // of run_
   std::optional<core::GoalRun> run_;
+  std::optional<RobotSearch> search_;  // of run_, where it was needed
+  bool searches_ = false;
   core::RouteEnd end_;             // of run_
   core::GoalRun::Leg driven_;      // that the pilot drives to
   std::uint64_t map_version_ = 0;  // that run_ has followed

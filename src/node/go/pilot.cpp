@@ -58,23 +58,29 @@ DriveReport Pilot::lost(const RobotFinder::Found& found) {
     if (steadyNow() - *odometry_waits_ < kOdometryPatience) return {State::kWaiting, "", 0.0};
   }
   stop();
-  return {State::kLost, found.problem, 0.0};
+  return {found.odometry_is_old ? State::kAdrift : State::kLost, found.problem, 0.0};
+}
+
+bool Pilot::hasJumped(const RobotFix& fix) const {
+  return fix_ && fix.stamp >= fix_->stamp &&
+         core::odometryJumped(fix_->odom_from_base, fix.odom_from_base,
+                              toSeconds(fix.stamp - fix_->stamp));
 }
 
 DriveReport Pilot::update(std::chrono::nanoseconds now,
                           const std::optional<core::Pose2d>& instead) {
   const RobotFinder::Found found = context_.finder.find(now, instead);
-  if (!found.fix) return lost(found);
-  odometry_waits_.reset();
-  if (fix_ && found.fix->stamp >= fix_->stamp &&
-      core::odometryJumped(fix_->odom_from_base, found.fix->odom_from_base,
-                           toSeconds(found.fix->stamp - fix_->stamp))) {
+  // What follows the drive may lose the map for a jump before it is seen here.
+  const RobotFinder::Found odometry = found.fix ? found : context_.finder.find(now, core::Pose2d{});
+  if (odometry.fix && hasJumped(*odometry.fix)) {
     stop();
-    return {State::kLost,
+    return {State::kAdrift,
             "odometry jumped: the robot was carried, or its odometry was reset; scan and recognize "
             "a place, or drive it in mode localize",
             0.0};
   }
+  if (!found.fix) return lost(found);
+  odometry_waits_.reset();
   fix_ = found.fix;
   const DriveReport report = driver_->update(*fix_, now);
   if (report.isOver()) stop();

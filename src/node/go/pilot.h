@@ -55,6 +55,7 @@ class Pilot {
 
  private:
   DriveReport lost(const RobotFinder::Found& found);
+  bool hasJumped(const RobotFix& fix) const;
 
   const Context context_;
   std::unique_ptr<DriveLease::Hold> hold_;

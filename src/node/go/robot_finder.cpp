@@ -70,10 +70,12 @@ std::vector<core::RouteStart> RobotFinder::starts(const RobotFix& fix) const {
   std::vector<core::RouteStart> starts;
   const std::optional<core::BeliefSummary> belief = driver_.belief();
   if (belief && driver_.mode() != config::Mode::kOff) {
-    for (const auto& [id, probability] : belief->places) {
-      const std::optional<core::Place> place = memory_.place(id);
+    for (const core::BelievedPlace& believed : belief->places) {
+      const std::optional<core::Place> place = memory_.place(believed.id);
       const bool is_about = place && between(*place, fix.map_from_base) <= kAbout;
-      if (is_about && probability >= kWorthARoute) starts.push_back({id, probability});
+      if (is_about && believed.probability >= kWorthARoute) {
+        starts.push_back({believed.id, believed.probability});
+      }
     }
   }
   if (!starts.empty()) return starts;

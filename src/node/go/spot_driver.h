@@ -20,6 +20,7 @@ struct DriveReport {
     kBlocked,    ///< likewise
     kSilent,     ///< who drives does not answer, or no sonar that looks ahead is heard
     kPreempted,  ///< somebody else drives through the same server
+    kAdrift,     ///< odometry jumped, or fell silent
     kLost,       ///< where the robot is, is not known
   };
   State state = State::kGoing;

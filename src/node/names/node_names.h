@@ -54,6 +54,7 @@ constexpr char kPlanRouteService[] = "plan_route";
 constexpr char kReportTraversalService[] = "report_traversal";
 constexpr char kSetLinkService[] = "set_link";
 constexpr char kMakePlanService[] = "make_plan";
+constexpr char kSuggestViewService[] = "suggest_view";
 constexpr char kSetModeService[] = "set_mode";
 constexpr char kRelocalizeService[] = "relocalize";
 

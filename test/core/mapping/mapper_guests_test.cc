@@ -57,6 +57,25 @@ TEST(MapperGuests, OfTwoPlacesAtOneSpotTheOneThatAPersonNamedStays) {
   EXPECT_EQ(later.places().size(), 3U);
 }
 
+TEST(MapperGuests, TheBeliefOfALostRobotSaysWhereItIsIfItIsAtAPlace) {
+  Mapper mapper{MapperOptions()};
+  scanAt(mapper, 100, {}, {});
+  mapper.adopt(1, nanoseconds(100));
+  Mapper later{MapperOptions()};
+  later.restore(mapper.map());
+  EXPECT_TRUE(later.belief().places.empty());
+  EXPECT_EQ(later.belief().seen, nullptr);
+  const Pose2d odom{5.0, -3.0, 0.4}, truth{0.3, 0.2, 0.4};
+  scanAt(later, 200, odom, truth);
+  const BeliefSummary belief = later.belief();
+  ASSERT_EQ(belief.places.size(), 1U);
+  EXPECT_EQ(belief.places[0].id, 1);
+  EXPECT_GT(belief.places[0].probability, 0.3);
+  expectNear(belief.places[0].map_from_base, truth, 0.15);
+  expectNear(belief.odom_from_base, odom, 1e-9);
+  ASSERT_NE(belief.seen, nullptr);
+}
+
 TEST(MapperGuests, APlaceThatIsForgottenLeavesItsScan) {
   Mapper mapper{MapperOptions()};
   scanAt(mapper, 100, {}, {});
@@ -87,7 +106,7 @@ TEST(MapperGuests, WhereAPersonSaysTheRobotIsItIsAtOnce) {
   expectNear(*later.mapFromOdom() * Pose2d{5.0, 5.0, 1.0}, {0.4, -0.2, 0.3}, 1e-9);
   EXPECT_LT(later.lost(), 0.5);
   ASSERT_FALSE(later.belief().places.empty());
-  EXPECT_EQ(later.belief().places[0].first, 1);
+  EXPECT_EQ(later.belief().places[0].id, 1);
 
   // It drives on, and a scan there agrees.
   const Pose2d motion{0.3, 0.1, 0.2};
