@@ -53,6 +53,17 @@ TEST(RangeAdapter, ARejectedMeasurementStillSaysWhoseItIs) {
   EXPECT_EQ(reading.measurement.stamp, std::chrono::seconds(10));
 }
 
+TEST(RangeAdapter, ZeroBelowMinRangeIsWhatTheParameterSays) {
+  SensorRegistry registry;
+  config::Parameters parameters;
+  RangeAdapter adapter("/sonar", parameters, registry);
+  EXPECT_EQ(adapter.adapt(message(0.0F)).reject, Reject::kBelowMinRange);
+  parameters.scan.zero_range_is_no_echo = true;
+  EXPECT_FALSE(adapter.adapt(message(0.0F)).reject);
+  EXPECT_EQ(adapter.adapt(message(0.0F)).measurement.range, kInf);
+  EXPECT_EQ(adapter.adapt(message(0.1F)).reject, Reject::kBelowMinRange);
+}
+
 TEST(RangeAdapter, TakesAnEchoWithinTheLimits) {
   for (const float range : {0.15F, 1.0F, 4.49F}) {
     const AdaptedReading checked = adapt(message(range), false);
