@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -56,7 +57,7 @@ class PlaceHandles {
   std::map<core::PlaceId, Shown> shown_;
   std::optional<std::uint64_t> version_;                                // of the map that is shown
   core::Pose2d around_;                                                 // likewise
-  std::optional<interactive_markers::InteractiveMarkerServer> server_;  // ends first
+  std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;  // ends first
 };
 
 }  // namespace place_memory::node
