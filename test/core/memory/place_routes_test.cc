@@ -120,6 +120,14 @@ TEST_F(PlaceRoutesTest, DrivingTeachesTheLinksHowLongTheyTake) {
   EXPECT_EQ(history[2], (Traversal{3, 2, seconds(1035), seconds(1055), true, "scans"}));
 }
 
+TEST_F(PlaceRoutesTest, AWayThatWasReportedIsNotCountedAgainByTheScanAtItsEnd) {
+  memory_->reportTraversal({3, 2, seconds(1040), seconds(1050), true, "goal"});
+  memory_->recognize(scanAt(2, 2.0, 1055), kHeadingWindow);
+  EXPECT_EQ(memory_->map().links.back().backward.succeeded, 1U);
+  memory_->recognize(scanAt(3, 4.0, 1075), kHeadingWindow);
+  EXPECT_EQ(memory_->map().links.back().forward.succeeded, 2U) << "the next way counts as before";
+}
+
 TEST_F(PlaceRoutesTest, WhatIsReportedIsLearnedAndKept) {
   const double before = memory_->linkOdds(1, 2).second;
   const Traversal failed{2, 1, seconds(1100), seconds(1130), false, "teleop"};
