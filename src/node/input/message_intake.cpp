@@ -228,7 +228,8 @@ void MessageIntake::watchFrame(const std::string& topic, const std::string& fram
 
 void MessageIntake::watchSharing(const std::string& topic, const sensor_msgs::Range& message,
                                  const core::Measurement& measurement, Taken& taken) {
-  if (measurement.frame.empty()) return;  // said already
+  // Both are said elsewhere.
+  if (measurement.frame.empty() || message.header.stamp.isZero()) return;
   const auto stamp = std::chrono::nanoseconds(message.header.stamp.toNSec());
   if (!shared_.note(measurement.sensor, stamp, message.range)) return;
   once("frame shared on " + topic + " " + measurement.frame,

@@ -163,6 +163,14 @@ TEST_F(MessageIntakeTest, ARingWithOneFrameOnOneTopicIsNamedOnce) {
   }
 }
 
+TEST_F(MessageIntakeTest, OneSensorWithoutStampsIsNotTakenForSeveral) {
+  for (int times = 0; times < 20; ++times) {
+    sensor_msgs::Range message = rangeOf("sonar", 1.0F + 0.1F * static_cast<float>(times));
+    message.header.stamp = ros::Time();
+    EXPECT_TRUE(say("/left", message).problems.empty()) << times;
+  }
+}
+
 TEST_F(MessageIntakeTest, AMessageThatComesTwiceIsNoSecondSensor) {
   for (int times = 0; times < 40; ++times) {
     sensor_msgs::Range message = rangeOf("sonar", 1.0F + 0.1F * static_cast<float>(times / 2));

@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(RangeAdapter, BadRange,
                                          Bad{"below min", 0.149F, Reject::kBelowMinRange},
                                          Bad{"zero", 0.0F, Reject::kBelowMinRange},
                                          Bad{"negative", -0.5F, Reject::kBelowMinRange},
-                                         Bad{"above max", 4.51F, Reject::kAboveMaxRange},
+                                         Bad{"above max", 4.6F, Reject::kAboveMaxRange},
                                          Bad{"far above max", 1e30F, Reject::kAboveMaxRange}));
 
 TEST(RangeAdapter, OverRangeMayBeTakenForNoEcho) {
