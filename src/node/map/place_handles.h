@@ -64,8 +64,8 @@ class PlaceHandles {
   const OnChoice on_choice_;
   std::map<core::PlaceId, Shown> shown_;
   std::set<core::PlaceId> asked_;
-  std::optional<std::uint64_t> version_;                                // of the map that is shown
-  core::Pose2d around_;                                                 // likewise
+  std::optional<std::uint64_t> version_;  // of the map that is shown
+  core::Pose2d around_;                   // likewise
   std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;  // ends first
 };
 
