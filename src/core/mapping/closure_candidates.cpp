@@ -133,10 +133,13 @@ bool ClosureCandidates::cut(PlaceId place) {
   return any;
 }
 
-/// The farther off the robot may be, the more rooms there are to mistake.
-std::size_t ClosureCandidates::placesAsked(const ClosureCandidate& candidate) const {
-  if (options_.farther <= 0.0) return options_.places;
-  return options_.places + static_cast<std::size_t>(candidate.moves / options_.farther);
+/// The farther off the robot may be, the more rooms there are to mistake; a map of a few places
+/// shows one or two of them, and cannot tell.
+std::size_t ClosureCandidates::placesAsked(const ClosureCandidate& candidate,
+                                           std::size_t known) const {
+  const double further = options_.farther > 0.0 ? candidate.moves / options_.farther : 0.0;
+  const std::size_t more = std::min(static_cast<std::size_t>(further), options_.more);
+  return std::min(options_.places, known) + more;
 }
 
 void ClosureCandidates::dropForemost() {
@@ -154,7 +157,7 @@ const ClosureCandidate* ClosureCandidates::accepted(std::size_t known) const {
   const auto witnesses = static_cast<double>(best.witnesses.size());
   if (witnesses < static_cast<double>(options_.witnesses) + more || spread < wanted) return nullptr;
   if (best.weight() < options_.score) return nullptr;
-  if (placesOf(best) < std::min(placesAsked(best), known)) return nullptr;
+  if (placesOf(best) < placesAsked(best, known)) return nullptr;
   if (options_.misses * static_cast<std::size_t>(best.misses) > best.witnesses.size()) {
     return nullptr;
   }

@@ -24,6 +24,7 @@ struct ClosureOptions {
   std::size_t places = 2;
   double farther = 4.0;     ///< for each so far that it moves the robot one more; 0: for none [m]
   double agreement = 0.55;  ///< of the witnesses' scans with the places, on an average
+  std::size_t more = 8;     ///< for `farther` at most
 };
 
 /// Where one place of the target puts a scan.
@@ -93,7 +94,7 @@ class ClosureCandidates {
   const ClosureOptions& options() const { return options_; }
 
  private:
-  std::size_t placesAsked(const ClosureCandidate& candidate) const;
+  std::size_t placesAsked(const ClosureCandidate& candidate, std::size_t known) const;
 
   ClosureOptions options_;
   double stretch_ = 0.0;                      ///< length of the newest scan's [m]

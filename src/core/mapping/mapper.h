@@ -43,8 +43,10 @@ struct MapperOptions {
   ClosureOptions closure;  ///< of loops
   ClosureOptions join{10,  7.0, 2.0, 20.0, 4.0,
                       6.0, 5,   5,   0.0,  0.65};  ///< of a session with the map
+  /// Of what was driven since the robot seemed lost: perhaps it never was.
+  ClosureOptions rejoin{10, 7.0, 2.0, 20.0, 4.0, 6.0, 5, 5, 4.0, 0.65, 2};
   /// Of a robot that thinks to be on new ground, and is carried to where it was: rooms look alike.
-  ClosureOptions carried{12, 8.0, 2.0, 24.0, 5.0, 6.0, 5, 6, 0.0, 0.65};
+  ClosureOptions carried{12, 8.0, 2.0, 24.0, 5.0, 6.0, 5, 6, 4.0, 0.65};
   ClosureOptions relocate{2,   0.2, 0.0, 4.0, 2.0,
                           4.0, 3,   1,   0.0, 0.0};  ///< of a robot that only asks where it is
   double cell_size = kDefaultCellSize;               ///< [m]

@@ -14,6 +14,7 @@ constexpr double kLostAfterClosure = 0.05;
 constexpr double kFarOff = 14.2;
 /// Share of the agreement that is asked on an average which no witness may fall short of.
 constexpr double kLeastAgreement = 0.65;
+constexpr double kMostWait = 8.0;    ///< way for which places may wait for closures [m]
 constexpr double kRemembered = 3.0;  ///< places about by which a thinned scan is remembered [m]
 constexpr int kSteps = 15;           ///< of a relaxation after a change of what is known
 
@@ -200,15 +201,20 @@ void Mapper::makePlaces() {
     const ClosureCandidate* best = candidates.foremost();
     return best && best->witnesses.size() >= 2;
   };
-  if (pending(loops_) || pending(carried_) || pending(joins_)) return;
-  for (const NodeIndex at : undecided_) {
+  // What waits for long becomes places all the same: without them the rooms that the robot drives
+  // through since would be missing, and it would take each for one that looks like it.
+  const bool waits = pending(loops_) || pending(carried_) || pending(joins_);
+  auto next = undecided_.begin();
+  for (; next != undecided_.end(); ++next) {
+    const NodeIndex at = *next;
     const ScanNode& node = graph_.node(at);
+    if (waits && reckoning_.way() - node.last_way < kMostWait) break;
     if (!shelf_.near(node.pose, node.session, options_.spacing, false).empty()) continue;
     if (node.place != kNoPlace || !node.readings) continue;
     shelf_.add(at, graph_);
     if (at + 1 < graph_.nodes().size()) decisions_.push_back(lateDecision(at));
   }
-  undecided_.clear();
+  undecided_.erase(undecided_.begin(), next);
 }
 
 }  // namespace place_memory::core

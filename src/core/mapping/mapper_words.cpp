@@ -71,8 +71,7 @@ std::string Mapper::reasonOf(NodeIndex at, const View& view, const ScanDecision&
       const ClosureCandidate* loop = loops_.foremost();
       if (session_ != kMapSession) {
         reason = "where this session lies in the map is not known; ";
-        reason += join ? evidence(*join, options_.mode == MapperMode::kMap ? options_.join
-                                                                           : options_.relocate)
+        reason += join ? evidence(*join, joins_.options())
                        : "the scan is of no place of the map that is known by far";
       } else if (carried) {
         reason = "odometry cannot have brought the robot there, but " +

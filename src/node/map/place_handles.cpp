@@ -82,7 +82,9 @@ PlaceHandles::PlaceHandles(const ros::NodeHandle& private_node, const core::Plac
                            std::size_t count, const std::string& map_frame, OnChoice on_choice)
     : memory_(memory), count_(count), map_frame_(map_frame), on_choice_(std::move(on_choice)) {
   // With a thread of its own: what a click asks for waits for the disk.
-  if (count_ > 0) server_.emplace(private_node.resolveName(kPlaceHandlesTopic), "", true);
+  if (count_ == 0) return;
+  server_ = std::make_unique<interactive_markers::InteractiveMarkerServer>(
+      private_node.resolveName(kPlaceHandlesTopic), "", true);
 }
 
 void PlaceHandles::follow(const std::optional<core::Pose2d>& map_from_robot,

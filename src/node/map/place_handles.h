@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -63,9 +64,9 @@ class PlaceHandles {
   const OnChoice on_choice_;
   std::map<core::PlaceId, Shown> shown_;
   std::set<core::PlaceId> asked_;
-  std::optional<std::uint64_t> version_;                                // of the map that is shown
-  core::Pose2d around_;                                                 // likewise
-  std::optional<interactive_markers::InteractiveMarkerServer> server_;  // ends first
+  std::optional<std::uint64_t> version_;  // of the map that is shown
+  core::Pose2d around_;                   // likewise
+  std::unique_ptr<interactive_markers::InteractiveMarkerServer> server_;  // ends first
 };
 
 }  // namespace place_memory::node

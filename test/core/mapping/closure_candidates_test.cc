@@ -50,13 +50,33 @@ TEST(ClosureCandidates, ScansThatAgreeOverThreeMetresAreEnough) {
 TEST(ClosureCandidates, OnePlaceSeenAgainAndAgainIsNoWayThroughTheBuilding) {
   Drive drive;
   for (int i = 0; i < 40; ++i) {
-    Sighting seen = drive.shifted(5.0, 1.0, 0.9);
+    Sighting seen = drive.shifted(3.0, 1.0, 0.9);
     seen.place = 7;
     drive.scan({seen}, kEverywhere);
   }
   EXPECT_EQ(drive.candidates.accepted(kPlaces), nullptr);
   // A map that has no more cannot show more.
   EXPECT_NE(drive.candidates.accepted(1), nullptr);
+}
+
+TEST(ClosureCandidates, AMapOfAFewPlacesMovesNoRobotFar) {
+  const auto scanTwoPlaces = [](Drive& drive) {
+    for (int i = 0; i < 40; ++i) {
+      Sighting seen = drive.shifted(9.0, 0.0, 0.9);
+      seen.place = 7 + i / 20;
+      drive.scan({seen}, kEverywhere);
+    }
+  };
+  Drive drive;
+  scanTwoPlaces(drive);
+  EXPECT_EQ(drive.candidates.accepted(2), nullptr);
+  // One that may be anywhere is asked for no more.
+  ClosureOptions options;
+  options.farther = 0.0;
+  Drive anywhere;
+  anywhere.candidates = ClosureCandidates(options);
+  scanTwoPlaces(anywhere);
+  EXPECT_NE(anywhere.candidates.accepted(2), nullptr);
 }
 
 TEST(ClosureCandidates, TheFartherItMovesTheRobotTheMorePlacesItTakes) {
