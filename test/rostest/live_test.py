@@ -39,6 +39,7 @@ SERVICES = {
     "suggest_view": srv.SuggestView,
     "set_mode": srv.SetMode,
     "relocalize": srv.Relocalize,
+    "judge_closure": srv.JudgeClosure,
     "undo": srv.Undo,
     "save": srv.Save,
     "load": srv.Load,

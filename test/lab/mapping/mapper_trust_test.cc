@@ -62,6 +62,24 @@ TEST(MapperTrust, ALoopThatOdometryHasFarOffIsClosedWhereItIs) {
   EXPECT_EQ(found.wrong, 0U);
 }
 
+TEST(MapperTrust, RoomsThatAreAlikeAreNotTakenForOneAnother) {
+  trials::DriveRecipe alike = recipe(150.0);
+  alike.people = 2;
+  alike.changes = true;
+  alike.scale_sigma = 0.05;
+  alike.compass_sigma = -1.0;
+  core::Mapper mapper(mapperOptions());
+  Truth truth;
+  DrivePart part;
+  part.compass = false;
+  const MappingRun run =
+      drive(mapper, trials::simulateDrive(alikeCells(6, 4108), {}, alike, 4108), part, truth);
+  const MappingFigures found = figures(mapper, run, truth);
+  EXPECT_EQ(found.false_ties, 0U);
+  EXPECT_EQ(found.wrong, 0U);
+  EXPECT_GT(found.places, 10U);
+}
+
 TEST(MapperTrust, CarriedAwayItNamesNoPlaceWhereItIsNot) {
   trials::DriveRecipe carried = recipe(140.0);
   carried.carried = {80.0};
