@@ -51,6 +51,7 @@ struct ClosureCandidate {
   int misses = 0;      ///< scans at places of the target that did not agree
   double moves = 0.0;  ///< how far from where the robot is thought to be it has it [m]
   std::vector<Witness> witnesses;
+  bool cut = false;  ///< by a person's word: nothing comes of it
 
   /// How much speaks for it.
   double weight() const { return score + prior; }
@@ -74,7 +75,13 @@ class ClosureCandidates {
   const ClosureCandidate* accepted(std::size_t known) const;
   /// The one for which most speaks, or nullptr.
   const ClosureCandidate* foremost() const;
-  bool empty() const { return candidates_.empty(); }
+  bool empty() const { return foremost() == nullptr; }
+  const std::vector<ClosureCandidate>& all() const { return candidates_; }
+  /// The best of those that have a witness at a place, or nullptr.
+  const ClosureCandidate* at(PlaceId place) const;
+  /// A person says that those with a witness at a place are wrong: nothing comes of them, nor of
+  /// what agrees with them, until they are given up. Whether there were any.
+  bool cut(PlaceId place);
   /// Forgets a candidate for good or all: their transforms hold no more.
   void clear() { candidates_.clear(); }
   void dropForemost();
@@ -91,7 +98,7 @@ class ClosureCandidates {
 
   ClosureOptions options_;
   double stretch_ = 0.0;                      ///< length of the newest scan's [m]
-  std::vector<ClosureCandidate> candidates_;  ///< by falling weight
+  std::vector<ClosureCandidate> candidates_;  ///< by falling weight, then those that were cut
 };
 
 }  // namespace place_memory::core

@@ -12,6 +12,7 @@
 #include "core/map/kept_map.h"
 #include "core/map/place_belief.h"
 #include "core/mapping/closure_candidates.h"
+#include "core/mapping/closure_question.h"
 #include "core/mapping/dead_reckoning.h"
 #include "core/mapping/graph_thinning.h"
 #include "core/mapping/loop_closer.h"
@@ -126,6 +127,13 @@ class Mapper {
   /// The place is gone, by a person's word; its scan stays in the graph.
   void forget(PlaceId id);
 
+  /// Where scans that agree say that the robot is, too few of them yet for the map to follow.
+  std::vector<ClosureQuestion> closureQuestions() const;
+  /// A person says that the robot is at the place of a question, or that it is not: then nothing
+  /// comes of it, and a closure there that is new is taken back.
+  ClosureWord confirmClosure(PlaceId place);
+  ClosureWord cutClosure(PlaceId place);
+
   /// What became of scans since it was asked last. Where a scan becomes a place only later, since
   /// it was not clear whether a loop closes, there is a second decision with its stamp, which takes
   /// the place of the first.
@@ -211,6 +219,7 @@ class Mapper {
   const ClosureCandidate* accepted(const ClosureCandidates& candidates, int target) const;
   double mostSigma(NodeIndex at) const;
   bool closeLoops(double way);
+  bool close(const ClosureCandidate& candidate, int target, double way);
   void takeBack();
   PlaceBelief::Map beliefMap() const;
   void believe(NodeIndex at, const std::vector<PlaceFit>& fits, const LaidScan& scan);

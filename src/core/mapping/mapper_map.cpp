@@ -48,22 +48,30 @@ const ClosureCandidate* Mapper::accepted(const ClosureCandidates& candidates, in
 }
 
 bool Mapper::closeLoops(double way) {
-  const bool moves_map = options_.mode == MapperMode::kMap;
-  bool closed = false;
   if (const ClosureCandidate* loop = accepted(loops_, session_)) {
-    closed = closer_.close(*loop, session_, session_, moves_map, way);
-    note(closed ? MapperEvent::Kind::kClosed : MapperEvent::Kind::kRefused, loop);
-    if (!closed) loops_.dropForemost();
+    if (close(*loop, session_, way)) return true;
+    loops_.dropForemost();
   }
-  if (!closed && session_ != kMapSession) {
-    if (const ClosureCandidate* join = accepted(joins_, kMapSession)) {
-      closed = closer_.close(*join, session_, kMapSession, moves_map, way);
-      note(closed ? MapperEvent::Kind::kJoined : MapperEvent::Kind::kRefused, join);
-      if (!closed) joins_.dropForemost();
-      if (closed) session_ = kMapSession;
-    }
+  if (session_ == kMapSession) return false;
+  if (const ClosureCandidate* join = accepted(joins_, kMapSession)) {
+    if (close(*join, kMapSession, way)) return true;
+    joins_.dropForemost();
   }
+  return false;
+}
+
+/// Forgets all candidates, this one too, where it closes.
+bool Mapper::close(const ClosureCandidate& candidate, int target, double way) {
+  const bool moves_map = options_.mode == MapperMode::kMap;
+  const bool joins = target != session_;
+  const bool closed = closer_.close(candidate, session_, target, moves_map, way);
+  note(!closed ? MapperEvent::Kind::kRefused
+       : joins ? MapperEvent::Kind::kJoined
+               : MapperEvent::Kind::kClosed,
+       &candidate);
   if (!closed) return false;
+  session_ = target;
+  anchored_way_ = way;
   if (moves_map) {
     afterRelaxing();
   } else {
