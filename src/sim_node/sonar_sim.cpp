@@ -102,6 +102,8 @@ void SonarSim::advertise() {
       names_.subscribe(parameters_.driver.command_topic, 1, &SonarSim::onCommand, this);
   services_.push_back(private_names_.advertiseService("set_door", &SonarSim::onSetDoor, this));
   services_.push_back(private_names_.advertiseService("move_chair", &SonarSim::onMoveChair, this));
+  services_.push_back(
+      private_names_.advertiseService("carry_robot", &SonarSim::onCarryRobot, this));
 }
 
 void SonarSim::publishStaticTransforms() {
@@ -171,6 +173,13 @@ void SonarSim::onCommand(const geometry_msgs::Twist& command) {
 bool SonarSim::onSetDoor(SetDoor::Request& request, SetDoor::Response& response) {
   answer(simulation_.setDoor(request.name, request.open), request.name, response);
   publishWorld();
+  return true;
+}
+
+bool SonarSim::onCarryRobot(CarryRobot::Request& request, CarryRobot::Response& response) {
+  const bool is_put = simulation_.placeRobot({request.pose.x, request.pose.y, request.pose.theta});
+  response.status = is_put ? CarryRobot::Response::OK : CarryRobot::Response::BLOCKED;
+  response.message = is_put ? "done" : "something stands there, or the pose is not finite";
   return true;
 }
 

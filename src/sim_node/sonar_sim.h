@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_SIM_NODE_SONAR_SIM_H
 
 #include <geometry_msgs/Twist.h>
+#include <place_memory/CarryRobot.h>
 #include <place_memory/MoveChair.h>
 #include <place_memory/SetDoor.h>
 #include <ros/ros.h>
@@ -37,6 +38,7 @@ class SonarSim {
   void publishBase();
   void onCommand(const geometry_msgs::Twist& command);
   bool onSetDoor(SetDoor::Request& request, SetDoor::Response& response);
+  bool onCarryRobot(CarryRobot::Request& request, CarryRobot::Response& response);
   bool onMoveChair(MoveChair::Request& request, MoveChair::Response& response);
 
   ros::NodeHandle names_;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The simulated robot's node: what it publishes, what it does on cmd_vel, and its two services."""
+"""The simulated robot's node: what it publishes, what it does on cmd_vel, and its services."""
 
 import math
 import os
@@ -11,7 +11,7 @@ import rospy
 import rostest
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from place_memory.srv import MoveChair, SetDoor
+from place_memory.srv import CarryRobot, MoveChair, SetDoor
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Imu, Range
 from tf2_msgs.msg import TFMessage
@@ -248,6 +248,28 @@ class LiveSimTest(unittest.TestCase):
             with self.subTest(name=name, x=x):
                 self.answered(self.move_chair(name, x, 0.0), status)
         self.assertEqual(self.outline(), before)
+
+    def carry(self, x, y, theta):
+        request = CarryRobot._request_class()
+        request.pose.x, request.pose.y, request.pose.theta = x, y, theta
+        return self.sim.call("carry_robot", CarryRobot, request)
+
+    def test_a_robot_is_carried_and_its_odometry_does_not_notice(self):
+        self.start()
+        response = self.carry(2.0, 1.0, 0.5)
+        self.answered(response, response.OK)
+        truth, odometry = self.truth(), self.sim.message("odom", Odometry).pose.pose
+        self.assertEqual((truth.position.x, truth.position.y), (2.0, 1.0))
+        self.assertAlmostEqual(yaw(truth.orientation), 0.5, places=6)
+        self.assertEqual((odometry.position.x, odometry.position.y), (0.0, 0.0))
+
+    def test_a_robot_is_not_put_on_anything(self):
+        self.start()
+        for x in (3.0, float("nan"), 1e12):
+            with self.subTest(x=x):
+                response = self.carry(x, 0.0, 0.0)
+                self.answered(response, response.BLOCKED)
+        self.assertEqual(self.truth().position.x, 0.0)
 
     # --- parameters ---
 

@@ -41,7 +41,9 @@ double Simulation::compassHeading() const {
 }
 
 bool Simulation::placeRobot(const core::Pose2d& pose) {
-  if (!pose.isFinite() || !scene_->isFree({pose.x, pose.y}, options_.base_radius)) return false;
+  const bool inside = std::abs(pose.x) <= kFarthest && std::abs(pose.y) <= kFarthest;
+  if (!pose.isFinite() || !inside || !scene_->isFree({pose.x, pose.y}, options_.base_radius))
+    return false;
   base_.placeAt(pose);
   return true;
 }
