@@ -8,28 +8,23 @@ import argparse
 import contextlib
 import math
 import os
-import signal
-import subprocess
 import sys
 import time
-import urllib.parse
 
-import rospkg
 import rospy
-import yaml
 
 from demo_tools import report
 from demo_tools.changes import apply_changes
 from demo_tools.contact_sheet import write_contact_sheet
 from demo_tools.driver import Driver
-from demo_tools.errors import DemoError
 from demo_tools.memory import VERDICTS, Memory
 from demo_tools.processes import Process, VirtualDisplay
 from demo_tools.screenshot import Rviz, write_overview_config
 from demo_tools.senses import Compass
+from demo_tools.session import (end_with_status, launched, load_yaml, make_folder,
+                                package_folder, say)
 from demo_tools.trial import (EQUALLY_NEAR, Answer, Learned, Trial, position_error,
                               right_labels)
-from demo_tools.waiting import wait_until
 
 OURS, PAPER = "default", "paper"
 NODES = {PAPER: "place_memory_paper", OURS: "place_memory"}
@@ -39,11 +34,6 @@ RVIZ_TOPICS = ["/place_memory/map", "/place_memory/scan_cells", "/place_memory/m
                "/place_memory/answer_markers", "/place_memory/place_markers", POSE_TOPIC, "/sonar"]
 PICTURE_FROM = 9  # trials before the picture of rviz: then the open area is in view
 OUTPUTS = ["map.png", "rviz.png", "grids.png", "results.csv"]
-START_LIMIT = 60.0  # [s]
-
-
-def say(text):
-    print(text, flush=True)
 
 
 class Demonstration:
@@ -105,11 +95,6 @@ class Demonstration:
                       1000.0 * found.match_duration.to_sec())
 
 
-def load_yaml(path):
-    with open(path, encoding="utf-8") as file:
-        return yaml.safe_load(file)
-
-
 def take_overview(options, config, display, check):
     """A picture of the whole map, by a second rviz."""
     overview = os.path.join(options.out, "overview.rviz")
@@ -162,34 +147,16 @@ def demonstrate(options, share, display, check):
     say(f"{time.monotonic() - started:.0f} s; pictures and results.csv are in {options.out}")
 
 
-def master_answers():
-    try:
-        return rospy.get_master().getPid()[0] == 1
-    except OSError:
-        return False
-
-
 def run(options):
-    os.makedirs(options.out, exist_ok=True)
-    for name in OUTPUTS:
-        with contextlib.suppress(FileNotFoundError):
-            os.remove(os.path.join(options.out, name))
-    share = rospkg.RosPack().get_path("place_memory")
-    master = os.environ.setdefault("ROS_MASTER_URI", "http://localhost:11311")
-    port = str(urllib.parse.urlparse(master).port)
-    launch = ["roslaunch", "-p", port, "place_memory", "demo.launch", f"speed:={options.speed}",
-              f"seed:={options.seed}"]
-    if master_answers():
-        raise DemoError(f"another ROS master runs on port {port}: name a free one, ROS_MASTER_PORT")
+    make_folder(options.out, OUTPUTS)
+    arguments = [f"speed:={options.speed}", f"seed:={options.seed}"]
     with contextlib.ExitStack() as processes:
         if not os.environ.get("DISPLAY"):
             say("there is no display: rviz draws into memory")
             screen = processes.enter_context(VirtualDisplay(options.out, *DISPLAY_SIZE))
             os.environ.update(DISPLAY=screen.display, LIBGL_ALWAYS_SOFTWARE="1")
-        log = os.path.join(options.out, "roslaunch.log")
-        nodes = processes.enter_context(Process(launch, log))
-        wait_until(master_answers, "the ROS master", START_LIMIT, nodes.check)
-        demonstrate(options, share, os.environ["DISPLAY"], nodes.check)
+        check = processes.enter_context(launched("demo.launch", arguments, options.out))
+        demonstrate(options, package_folder(), os.environ["DISPLAY"], check)
 
 
 def parse_options():
@@ -201,27 +168,5 @@ def parse_options():
     return parser.parse_args()
 
 
-def stop_now(*_):
-    raise KeyboardInterrupt
-
-
-def main():
-    options = parse_options()
-    # However it is stopped, its processes are too.
-    for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(stop, stop_now)
-    try:
-        run(options)
-    except (DemoError, OSError, subprocess.SubprocessError, rospy.ROSException,
-            rospy.ServiceException) as error:
-        print(f"demo: {error}\ndemo: what the nodes said is in {options.out}/roslaunch.log",
-              file=sys.stderr)
-        return 1
-    except KeyboardInterrupt:
-        print("demo: stopped", file=sys.stderr)
-        return 130
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(end_with_status(run, parse_options()))

@@ -68,6 +68,12 @@ int run(const po::variables_map& given) {
   recipe.explorer.gain = given["gain"].as<double>();
   recipe.explorer.constancy = given["constancy"].as<double>();
   recipe.explorer.doubt = given["doubt"].as<double>();
+  recipe.explorer.sight.reach = given["sight"].as<double>();
+  recipe.explorer.sight.beyond = given["beyond"].as<double>();
+  recipe.explorer.frontiers.looks_out = given["looks-out"].as<double>();
+  recipe.explorer.barrier = given["barrier"].as<double>();
+  recipe.explorer.squeeze = given["squeeze"].as<double>();
+  recipe.explorer.worth_a_try = given["worth"].as<double>();
   if (!recipe.compass) recipe.drive.compass_sigma = -1.0;
   experiments::Table table({"building", "way", "tour", "ratio", "seen %", "ended", "home", "min",
                             "blocked", "loops sought", "left", "places", "doubled", "false ties",
@@ -143,7 +149,19 @@ int main(int argc, char** argv) {
       "constancy", po::value<double>()->default_value(core::ExplorerOptions{}.constancy),
       "by so much another frontier must be nearer [m]")(
       "doubt", po::value<double>()->default_value(core::ExplorerOptions{}.doubt),
-      "from so much uncertainty on loops are sought [m]")("no-compass", "robots have none")(
+      "from so much uncertainty on loops are sought [m]")(
+      "sight", po::value<double>()->default_value(core::SightOptions{}.reach),
+      "of the sonars, in which they miss nothing [m]")(
+      "beyond", po::value<double>()->default_value(core::SightOptions{}.beyond),
+      "what is known the robot has looked so far [m]")(
+      "looks-out", po::value<double>()->default_value(core::FrontierOptions{}.looks_out),
+      "around a frontier it is counted what is unknown [m]")(
+      "barrier", po::value<double>()->default_value(core::ExplorerOptions{}.barrier),
+      "radius of what bars the way [m]")(
+      "squeeze", po::value<double>()->default_value(core::ExplorerOptions{}.squeeze),
+      "share of the room that ways leave, where nothing else is left")(
+      "worth", po::value<double>()->default_value(core::ExplorerOptions{}.worth_a_try),
+      "what bars the way to less is not tried again [m^2]")("no-compass", "robots have none")(
       "pictures", po::value<std::string>(), "prefix of a picture of each map")(
       "verbose", "each row as it comes, and what was left");
   return trials::runProgram("place_memory_explore", argc, argv, options, run);

@@ -7,6 +7,7 @@ import rospy
 from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry
 
+from demo_tools.planar import pose_of, wrapped
 from demo_tools.waiting import wait_until
 
 TOP_SPEED = 0.8        # [m/s]
@@ -17,14 +18,6 @@ TURN_FIRST = 0.4       # the robot turns on the spot where it looks further off 
 NEAR_ENOUGH = 0.02     # [m]
 SWEEP_RATE = 0.036     # a little less than two degrees between firings of the sonars [rad/s]
 LEG_LIMIT = 120.0      # of real time [s]
-
-
-def yaw_of(orientation):
-    return 2.0 * math.atan2(orientation.z, orientation.w)
-
-
-def wrapped(angle):
-    return math.remainder(angle, 2.0 * math.pi)
 
 
 class Driver:
@@ -50,6 +43,20 @@ class Driver:
         wait_until(lambda: self._target is None, f"the robot's way to ({x:.2f}, {y:.2f})",
                    LEG_LIMIT, self._check)
 
+    def follow(self, points, until):
+        """From point to point [m], until `until()` holds; then the robot stands. Whether it did."""
+        for point in points:
+            with self._lock:
+                self._target = point
+            wait_until(lambda: self._target is None or until(), f"the robot's way to {point}",
+                       LEG_LIMIT, self._check)
+            if until():
+                break
+        with self._lock:
+            self._target = None
+            self._command.publish(Twist())
+        return until()
+
     @contextlib.contextmanager
     def sweep(self):
         """Turns slowly on the spot while the context lasts."""
@@ -66,8 +73,7 @@ class Driver:
                 self._command.publish(Twist())
 
     def _on_truth(self, message):
-        position = message.pose.pose.position
-        self._pose = (position.x, position.y, yaw_of(message.pose.pose.orientation))
+        self._pose = pose_of(message.pose.pose)
         with self._lock:
             if self._is_sweeping:
                 self._command.publish(Twist(angular=Vector3(z=SWEEP_RATE)))

@@ -1,17 +1,14 @@
 """A place memory node: its action, services and grids."""
-import threading
-
-import actionlib
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from nav_msgs.msg import OccupancyGrid
 from place_memory.msg import Recognition, ScanPlaceAction, ScanPlaceGoal, ScanPlaceResult
 from place_memory.srv import LearnPlace, LearnPlaceResponse, RecognizePlace, RecognizePlaceResponse
 
+from demo_tools.calls import START_LIMIT, action, service
 from demo_tools.errors import DemoError
 from demo_tools.waiting import wait_until
 
-START_LIMIT = 60.0  # of real time [s]
 SCAN_LIMIT = 90.0   # of real time [s]
 
 # Of simulated time, which outruns a node on a busy machine.
@@ -29,34 +26,9 @@ class Memory:
         self._check = check
         self._grid = None
         self._subscriber = rospy.Subscriber(f"{name}/scan_grid", OccupancyGrid, self._on_grid)
-        self._scan = actionlib.ActionClient(f"{name}/scan", ScanPlaceAction)
-        self._learn = self._service("learn_place", LearnPlace)
-        self._recognize = self._service("recognize_place", RecognizePlace)
-        self._wait_for_action()
-
-    def _wait_for_action(self):
-        # The client's own limit is one of simulated time, which stands still if the simulator ends.
-        there = threading.Event()
-
-        def wait():
-            if self._scan.wait_for_server():
-                there.set()
-
-        threading.Thread(target=wait, daemon=True).start()
-        wait_until(there.is_set, f"{self._name}/scan", START_LIMIT, self._check)
-
-    def _service(self, service, kind):
-        name = f"{self._name}/{service}"
-
-        def is_there():
-            try:
-                rospy.wait_for_service(name, timeout=0.2)
-                return True
-            except rospy.ROSException:
-                return False
-
-        wait_until(is_there, name, START_LIMIT, self._check)
-        return rospy.ServiceProxy(name, kind)
+        self._scan = action(f"{name}/scan", ScanPlaceAction, check)
+        self._learn = service(f"{name}/learn_place", LearnPlace, check)
+        self._recognize = service(f"{name}/recognize_place", RecognizePlace, check)
 
     def _on_grid(self, grid):
         self._grid = grid

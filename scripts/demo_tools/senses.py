@@ -2,7 +2,7 @@
 import rospy
 from sensor_msgs.msg import Imu
 
-from demo_tools.driver import wrapped, yaw_of
+from demo_tools.planar import wrapped, yaw_of
 from demo_tools.waiting import wait_until
 
 START_LIMIT = 60.0  # of real time [s]

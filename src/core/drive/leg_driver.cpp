@@ -18,6 +18,12 @@ constexpr double kBlindTime = 2.0;   // [s]
 constexpr double kSideReach = 0.8;   // what is beside it so far ahead pushes it off [m]
 constexpr double kSideRoom = 0.2;    // and so near beside its hull [m]
 constexpr double kSidePush = 0.25;   // [rad/s]
+constexpr double kTouchTime = 1.0;   // told to go for so long, it has not moved [s]
+constexpr double kTouchWay = 0.02;   // further than this [m]
+constexpr double kAway = 0.6;        // it turns away by so much [rad]
+constexpr double kAwayWay = 0.3;     // and goes so far [m]
+constexpr double kAwayTime = 3.0;    // in so much time at most [s]
+constexpr int kMostSidesteps = 2;    // on one leg
 
 double seconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double>(time).count();
@@ -75,6 +81,40 @@ Velocity LegDriver::go(double error, double room, const EchoRing& echoes,
   return velocity;
 }
 
+bool LegDriver::touches(double now, const Pose2d& base, const Velocity& velocity) {
+  const bool is_there =
+      stands_at_ && std::hypot(base.x - stands_at_->x, base.y - stands_at_->y) <= kTouchWay;
+  if (!is_there || velocity.forward <= 0.0) {
+    stands_at_ = base;
+    stands_since_ = now;
+  }
+  return now - stands_since_ > kTouchTime;
+}
+
+// To the side where there is more room; the second time to the other one.
+void LegDriver::turnAway(double now, const Pose2d& base, const EchoRing& echoes,
+                         std::chrono::nanoseconds stamp) {
+  const double left = echoes.beside(stamp, 1.0, kSideReach);
+  const double right = echoes.beside(stamp, -1.0, kSideReach);
+  away_ = away_ != 0.0 ? -away_ : left >= right ? 1.0 : -1.0;
+  sidestep_ = Sidestep{base, wrapAngle(base.yaw + away_ * kAway), now};
+  stands_at_.reset();
+}
+
+Velocity LegDriver::sidestep(double now, const Pose2d& base, double room) {
+  const double way = std::hypot(base.x - sidestep_->from.x, base.y - sidestep_->from.y);
+  const double error = wrapAngle(sidestep_->heading - base.yaw);
+  const bool has_turned = std::abs(error) < 0.5 * kTurnFirst;
+  if (way >= kAwayWay || now - sidestep_->since > kAwayTime || (has_turned && room <= 0.0)) {
+    sidestep_.reset();
+    return {};
+  }
+  Velocity velocity;
+  velocity.turn = std::clamp(kTurnGain * error, -options_.turn_rate, options_.turn_rate);
+  if (has_turned) velocity.forward = 0.5 * options_.speed;
+  return velocity;
+}
+
 Velocity LegDriver::update(std::chrono::nanoseconds stamp, const Pose2d& base,
                            const EchoRing& echoes) {
   if (isOver()) return {};
@@ -96,12 +136,20 @@ Velocity LegDriver::update(std::chrono::nanoseconds stamp, const Pose2d& base,
   // What stands beyond the target is not in the way.
   const double ahead = echoes.ahead(stamp, options_.radius);
   const double room = ahead - options_.radius - options_.clearance;
+  if (sidestep_) return sidestep(now, base, room);
   const bool is_barred =
       std::abs(error) < kTurnFirst && room <= 0.0 && ahead < distance_ + options_.radius;
   if (!is_barred) {
     yields_since_.reset();
     state_ = State::kGoing;
-    return go(error, std::max(room, 0.0), echoes, stamp);
+    const Velocity velocity = go(error, std::max(room, 0.0), echoes, stamp);
+    if (!touches(now, base, velocity)) return velocity;
+    if (sidesteps_++ < kMostSidesteps) {
+      turnAway(now, base, echoes, stamp);
+      return {};
+    }
+    why_ = "the robot does not get nearer: it touches something";
+    return backOff(now, base, echoes, stamp);
   }
   if (!yields_since_) yields_since_ = now;
   state_ = State::kYielding;

@@ -9,11 +9,10 @@ namespace {
 
 constexpr double kAtHome = 0.5;         // so near to where it began the robot is home [m]
 constexpr double kSameTarget = 1.0;     // a frontier that moved no further is the same one [m]
-constexpr double kBarrier = 0.3;        // radius of what bars the way [m]
 constexpr double kBarrierAhead = 0.55;  // from the robot's middle to the middle of that [m]
 // Times that it is tried whether a barrier is gone.
 constexpr int kLiftedForMore = 1;
-constexpr int kLiftedForHome = 2;
+constexpr int kLiftedForHome = 6;
 constexpr double kSureEvery = 1.0;   // [m]
 constexpr double kSure = 0.7;        // share of the limit of doubt below which it is sure
 constexpr double kLoopAge = 20.0;    // a spot is worth a loop that was left so much way ago [m]
@@ -60,9 +59,11 @@ void Explorer::decide(const SurveyedCells& map, const Moment& now) {
     const FreeSpace space(options_.space, map, now.robot, barred());
     const GridWays ways(space, now.robot, options_.space.wide_berth);
     if (!returns_) {
-      const std::vector<Frontier> frontiers = frontiersOf(space, options_.frontiers, looked_at_);
+      const std::vector<Frontier> frontiers = frontiersOf(
+          space, options_.frontiers, looked_at_, inSight(space, map.trail, options_.sight));
       if (chooseLoop(space, ways, now) || chooseFrontier(space, ways, frontiers, now)) return;
-      if (liftBarriers(kLiftedForMore)) continue;
+      if (isWorthATry(map, now) && liftBarriers(kLiftedForMore)) continue;
+      if (squeeze(map, now)) return;
     }
     listLeft(map, space, ways, now);
     if (goHome(space, ways, now) || !liftBarriers(kLiftedForHome)) break;
@@ -101,6 +102,21 @@ bool Explorer::chooseFrontier(const FreeSpace& space, const GridWays& ways,
   return true;
 }
 
+// The robot is told by its sonars where it does not fit; the map may show a door too narrow.
+bool Explorer::squeeze(const SurveyedCells& map, const Moment& now) {
+  const FreeSpace space(slim(), map, now.robot, barred());
+  const GridWays ways(space, now.robot, options_.space.wide_berth);
+  const std::vector<Frontier> frontiers =
+      frontiersOf(space, options_.frontiers, looked_at_, inSight(space, map.trail, options_.sight));
+  return chooseFrontier(space, ways, frontiers, now);
+}
+
+FreeSpaceOptions Explorer::slim() const {
+  FreeSpaceOptions slim = options_.space;
+  slim.radius = options_.squeeze * options_.space.radius;
+  return slim;
+}
+
 bool Explorer::chooseLoop(const FreeSpace& space, const GridWays& ways, const Moment& now) {
   const bool is_sure = now.doubt <= options_.doubt;
   if (is_sure || now.way < no_loop_before_) return false;
@@ -118,6 +134,19 @@ bool Explorer::chooseLoop(const FreeSpace& space, const GridWays& ways, const Mo
   if (!task_ || task_->aim != Aim::kLoop) ++loops_sought_;
   take(Aim::kLoop, space, ways, *best);
   return true;
+}
+
+// Whether much is to be seen behind what bars the way.
+bool Explorer::isWorthATry(const SurveyedCells& map, const Moment& now) const {
+  if (barred().empty()) return false;
+  const FreeSpace space(options_.space, map, now.robot, {});
+  const GridWays ways(space, now.robot, options_.space.wide_berth);
+  FrontierOptions large = options_.frontiers;
+  large.least_opens = std::max(large.least_opens, options_.worth_a_try);
+  const std::vector<Frontier> frontiers =
+      frontiersOf(space, large, looked_at_, inSight(space, map.trail, options_.sight));
+  return std::any_of(frontiers.begin(), frontiers.end(),
+                     [&](const Frontier& frontier) { return ways.reaches(frontier.cell); });
 }
 
 bool Explorer::liftBarriers(int most) {
@@ -168,13 +197,13 @@ void Explorer::blocked(const Moment& now, const Pose2d& spot, const std::string&
   if (was_there) return arrived(now);
   task_.reset();
   for (Barrier& barrier : barriers_) {
-    const bool is_same = between({barrier.disc.x, barrier.disc.y, 0.0}, at) <= kBarrier;
+    const bool is_same = between({barrier.disc.x, barrier.disc.y, 0.0}, at) <= options_.barrier;
     if (!is_same || barrier.disc.radius > 0.0) continue;
-    barrier.disc.radius = kBarrier;
+    barrier.disc.radius = options_.barrier;
     barrier.why = why;
     return;
   }
-  barriers_.push_back({{at.x, at.y, kBarrier}, why, 0});
+  barriers_.push_back({{at.x, at.y, options_.barrier}, why, 0});
 }
 
 std::string Explorer::whyLeft(const Pose2d& spot, const GridWays& anyhow,
@@ -194,19 +223,18 @@ std::string Explorer::whyLeft(const Pose2d& spot, const GridWays& anyhow,
 void Explorer::listLeft(const SurveyedCells& map, const FreeSpace& space, const GridWays& ways,
                         const Moment& now) {
   left_.clear();
+  const std::vector<std::uint8_t> seen = inSight(space, map.trail, options_.sight);
   if (at_home_ == Outcome::kBoundReached) {
-    for (const Frontier& frontier : frontiersOf(space, options_.frontiers, looked_at_)) {
+    for (const Frontier& frontier : frontiersOf(space, options_.frontiers, looked_at_, seen)) {
       if (!ways.reaches(frontier.cell)) continue;
       left_.push_back({space.centre(frontier.cell), "the distance that was allowed is driven"});
     }
   }
   const FreeSpace without(options_.space, map, now.robot, {});
   const GridWays anyhow(without, now.robot, options_.space.wide_berth);
-  FreeSpaceOptions slim = options_.space;
-  slim.radius = 0.5 * options_.space.radius;
-  const FreeSpace for_slim(slim, map, now.robot, {});
+  const FreeSpace for_slim(slim(), map, now.robot, {});
   const GridWays of_slim(for_slim, now.robot, options_.space.wide_berth);
-  for (const Frontier& frontier : frontiersOf(without, options_.frontiers, looked_at_)) {
+  for (const Frontier& frontier : frontiersOf(without, options_.frontiers, looked_at_, seen)) {
     if (ways.reaches(frontier.cell) || !of_slim.reaches(frontier.cell)) continue;
     const Pose2d spot = without.centre(frontier.cell);
     left_.push_back({spot, whyLeft(spot, anyhow, frontier.cell)});

@@ -9,6 +9,7 @@
 #include "core/explore/free_space.h"
 #include "core/explore/frontiers.h"
 #include "core/explore/grid_ways.h"
+#include "core/explore/sight.h"
 #include "core/explore/surveyed_map.h"
 #include "place_memory/core/pose2d.h"
 
@@ -17,6 +18,7 @@ namespace place_memory::core {
 struct ExplorerOptions {
   FreeSpaceOptions space;
   FrontierOptions frontiers;
+  SightOptions sight;
   double most_distance = 0.0;  ///< drives no further before it goes home [m]; 0: no bound
   bool stay = false;           ///< ends where it is when it is done; false: goes home
   double looked_around = 0.6;  ///< where it was, nothing so near opens any more [m]
@@ -25,6 +27,10 @@ struct ExplorerOptions {
   double gain = 0.3;           ///< a square metre that opens is worth so much way [m]
   double constancy = 1.5;      ///< another frontier must be nearer by so much way [m]
   double doubt = 0.6;          ///< from so much uncertainty on a loop is closed first [m]
+  double barrier = 0.3;        ///< radius of what bars the way [m]
+  /// Where nothing else is left, it tries what looks as narrow as this share of `space.radius`.
+  double squeeze = 0.5;
+  double worth_a_try = 1.5;  ///< what bars the way to less than this is not tried again [m^2]
 };
 
 /// Decides where a robot drives that is to see all of a building: to the frontiers of what it has
@@ -104,6 +110,9 @@ class Explorer {
   bool chooseFrontier(const FreeSpace& space, const GridWays& ways,
                       const std::vector<Frontier>& frontiers, const Moment& now);
   bool chooseLoop(const FreeSpace& space, const GridWays& ways, const Moment& now);
+  bool squeeze(const SurveyedCells& map, const Moment& now);
+  FreeSpaceOptions slim() const;
+  bool isWorthATry(const SurveyedCells& map, const Moment& now) const;
   bool liftBarriers(int most);
   bool goHome(const FreeSpace& space, const GridWays& ways, const Moment& now);
   void listLeft(const SurveyedCells& map, const FreeSpace& space, const GridWays& ways,

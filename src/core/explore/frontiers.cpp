@@ -10,8 +10,6 @@ namespace {
 using Cell = FreeSpace::Cell;
 using Cells = std::vector<Cell>;
 
-constexpr double kLooksOut = 1.5;  // around a frontier it is counted what is unknown [m]
-
 bool isFrontier(const FreeSpace& space, Cell cell, const std::vector<MapDisc>& looked_at) {
   if (!space.isPassable(cell)) return false;
   bool is_at_rim = false;
@@ -64,8 +62,10 @@ double widthOf(const FreeSpace& space, const Cells& cells) {
   return space.distance(end, furthest(end)) + space.resolution();
 }
 
-/// Unknown ground that hangs together with the cell and is not walled off from it.
-double opening(const FreeSpace& space, Cell from) {
+/// Unknown ground that hangs together with the cell, is not walled off from it and was never in
+/// sight.
+double opening(const FreeSpace& space, Cell from, double looks_out,
+               const std::vector<std::uint8_t>& in_sight) {
   Cells seen{from};
   std::vector<std::uint8_t> is_seen(space.size(), 0);
   is_seen[from] = 1;
@@ -73,11 +73,11 @@ double opening(const FreeSpace& space, Cell from) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     space.forEachNeighbour(seen[i], [&](Cell next, bool is_across) {
       if (is_across || is_seen[next] != 0 || space.state(next) != FreeSpace::State::kUnknown ||
-          space.distance(from, next) > kLooksOut) {
+          space.distance(from, next) > looks_out) {
         return;
       }
       is_seen[next] = 1;
-      ++unknown;
+      if (in_sight[next] == 0) ++unknown;
       seen.push_back(next);
     });
   }
@@ -112,7 +112,8 @@ std::vector<Cells> pieces(const FreeSpace& space, const Cells& cells, double wid
 }  // namespace
 
 std::vector<Frontier> frontiersOf(const FreeSpace& space, const FrontierOptions& options,
-                                  const std::vector<MapDisc>& looked_at) {
+                                  const std::vector<MapDisc>& looked_at,
+                                  const std::vector<std::uint8_t>& in_sight) {
   std::vector<std::uint8_t> marked(space.size(), 0);
   for (Cell cell = 0; cell < space.size(); ++cell) {
     marked[cell] = isFrontier(space, cell, looked_at) ? 1 : 0;
@@ -126,7 +127,7 @@ std::vector<Frontier> frontiersOf(const FreeSpace& space, const FrontierOptions&
       Frontier frontier;
       frontier.cell = middleOf(space, part);
       frontier.width = widthOf(space, part);
-      frontier.opens = opening(space, frontier.cell);
+      frontier.opens = opening(space, frontier.cell, options.looks_out, in_sight);
       if (frontier.opens >= options.least_opens) frontiers.push_back(frontier);
     }
   }

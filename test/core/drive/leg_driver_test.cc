@@ -132,6 +132,20 @@ TEST_F(LegDriverTest, StopsWhereNoSonarIsHeard) {
   EXPECT_EQ(pose(), begun_);
 }
 
+// The post beside its way is too thin to be heard where it is.
+TEST_F(LegDriverTest, GetsPastWhatItTouchesWithItsSide) {
+  sim::World posted = hall();
+  posted.posts.push_back({{3.0, 1.24}, 0.02, {}});
+  begin(posted, {2.0, 1.0, 0.0});
+  hears_ = false;
+  LegDriver driver({}, {5.0, 1.0, 0.0});
+  drive(driver, 60.0, [this] {
+    const nanoseconds now(std::llround(1e9 * time_));
+    echoes_.hear(0, now, {0.2, 0.0, 0.0}, 2.0);
+  });
+  EXPECT_EQ(driver.state(), State::kArrived) << driver.why();
+}
+
 // A base that does not move, as one whose wheels slip.
 TEST_F(LegDriverTest, SaysThatItDoesNotGetNearer) {
   begin(hall(), {3.0, 1.0, 0.0});

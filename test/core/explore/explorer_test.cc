@@ -60,6 +60,42 @@ TEST_F(ExplorerTest, WhatWasLookedAtIsNoFrontierAnyMore) {
   EXPECT_EQ(explorer.frontiers(), 1U);
 }
 
+TEST_F(ExplorerTest, WhatLayInSightOfTheWayOpensNothing) {
+  SurveyedCells map = open();
+  map.trail = {{7.0, 1.0, 0.0}};
+  Explorer explorer(options_, home_);
+  explorer.decide(map, at(1.25, 1.0, 0.0));
+  EXPECT_EQ(explorer.frontiers(), 1U);
+  EXPECT_GT(explorer.task()->target.y, 2.5);
+}
+
+// A door that the map shows 0.2 m wide, and beyond it ground that nobody saw.
+TEST_F(ExplorerTest, WhereNothingElseIsLeftItTriesWhatLooksNarrow) {
+  const SurveyedCells map = floorPlan(
+      {
+          "######################",
+          "#.........#.....      ",
+          "#.........#.....      ",
+          "#.........#.....      ",
+          "#...............      ",
+          "#.........#.....      ",
+          "#.........#.....      ",
+          "#.........#.....      ",
+          "######################",
+      },
+      2);
+  const Pose2d home{0.8, 0.9, 0.0};
+  Explorer explorer(options_, home);
+  explorer.decide(map, at(0.8, 0.9, 0.0));
+  ASSERT_TRUE(explorer.task());
+  EXPECT_EQ(explorer.task()->aim, Aim::kFrontier);
+  EXPECT_GT(explorer.task()->target.x, 2.4);
+  options_.squeeze = 1.0;
+  Explorer timid(options_, home);
+  timid.decide(map, at(0.8, 0.9, 0.0));
+  EXPECT_EQ(timid.outcome(), Outcome::kDone);
+}
+
 TEST_F(ExplorerTest, GoesHomeWhenNothingIsLeftAndSaysSo) {
   Explorer explorer(options_, home_);
   explorer.decide(closed(), at(6.0, 1.0, 10.0));
