@@ -79,7 +79,7 @@ class Reporter {
 }  // namespace
 
 DrivenGoal driveTo(const std::string& node, const std::string& label, const Progress& progress) {
-  const std::string action = node + "/" + kGoToPlaceAction;
+  const std::string action = node + "/" + place_memory::node::kGoToPlaceAction;
   Reporter reporter(progress);
   actionlib::SimpleActionClient<GoToPlaceAction> client(action, true);
   const auto is_there = [&] { return client.isServerConnected(); };
