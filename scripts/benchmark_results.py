@@ -1,8 +1,11 @@
 """Results of place_memory_benchmark, as its JSON file holds them."""
 
 import json
+import re
 
 SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
+# What Google Benchmark adds to a name: how it was run.
+SUFFIXES = re.compile(r"/(iterations:|repeats:|process_time|real_time).*")
 
 
 class Results:
@@ -19,7 +22,7 @@ class Results:
                 continue
             if row.get("error_occurred"):
                 continue
-            name = row["run_name"].split("/iterations:")[0].split("/process_time")[0]
+            name = SUFFIXES.sub("", row["run_name"])
             if name in self._rows and row["run_type"] != "aggregate":
                 continue
             unit = SECONDS[row["time_unit"]]

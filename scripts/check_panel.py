@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Puts the panel of rviz to the test that takes long: the node is restarted again and again while rviz
-and the panel watch, and rviz is closed again and again. Needs a build with tests, and
-xdotool.
+and the panel watch, and rviz is closed again and again; or a large map is drawn. Needs a build with
+tests, and xdotool.
 
 Prints a line for each, and the longest time for which the thread that draws was held. Status 1 where
 the panel did not come back, or rviz did not close as it should.
@@ -17,6 +17,9 @@ import time
 
 import rosgraph
 import rospkg
+import rospy
+import tf2_ros
+from geometry_msgs.msg import TransformStamped
 
 from demo_tools.errors import DemoError
 from demo_tools.processes import Process, VirtualDisplay
@@ -32,6 +35,9 @@ TOPICS = [NODE + "/map_changes", NODE + "/recognition", NODE + "/scan/feedback"]
 LIMIT = 60.0       # for anything to happen [s]
 EXIT_LIMIT = 20.0  # for rviz to close [s]
 SIZE = (1280, 900)  # of the display [pixels]
+FRAMES_SIZE = (1280, 720)  # of the window in which frames are counted
+FRAMES_TIME = 20           # before they are counted, and while they are [s]
+LEAST_RATE = 20.0          # [Hz]
 
 
 def free_port():
@@ -149,17 +155,55 @@ def check_exits(place, count):
     return bad == 0
 
 
+def lay_map_on_odometry():
+    """Where in the map the robot is nobody knows, and rviz draws nothing without a transform."""
+    rospy.init_node("check_panel_frames")
+    transform = TransformStamped()
+    transform.header.frame_id, transform.child_frame_id = "map", "odom"
+    transform.transform.rotation.w = 1.0
+    broadcaster = tf2_ros.StaticTransformBroadcaster()
+    broadcaster.sendTransform(transform)
+    return broadcaster
+
+
+def check_frames(place, store):
+    """Whether rviz draws the map of a store fast enough, robot and simulated world beside it."""
+    config = place.path("frames.rviz")
+    with open(os.path.join(SHARE, "rviz", "place_memory.rviz"), encoding="utf-8") as file:
+        text = file.read()
+    with open(config, "w", encoding="utf-8") as file:
+        file.write(text.replace("Frame Rate: 10", "Frame Rate: 60").replace("Scale: 70", "Scale: 4"))
+    picture = place.path("rviz_frames.png")
+    broadcaster = lay_map_on_odometry()
+    with Process(["roslaunch", "place_memory", "place_memory.launch", "store:=" + store],
+                 place.path("node.log")) as node:
+        wait_until(lambda: place.offers(NODE + "/get_graph"), "the node", LIMIT, node.check)
+        output = subprocess.run(
+            [os.path.join(os.environ["CMAKE_PREFIX_PATH"].split(":")[0], "lib", "place_memory",
+                          "frame_rate"), config, *map(str, FRAMES_SIZE), str(FRAMES_TIME), picture],
+            check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+            universal_newlines=True).stdout
+    del broadcaster
+    rate, work = [float(number) for number in output.split()[-2:]]
+    print(f"{rate:.1f} frames a second in a window of {FRAMES_SIZE[0]} x {FRAMES_SIZE[1]}, "
+          f"{100 * work:.0f} % of the time at work; {picture}")
+    return rate >= LEAST_RATE
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--restarts", type=int, default=20)
     parser.add_argument("--exits", type=int, default=20)
+    parser.add_argument("--store", help="of a large map, e.g. by place_memory_benchmark --write-store: "
+                        "how many frames a second rviz draws of it")
     parser.add_argument("--out", default="panel_output", help="folder for logs and a picture")
     options = parser.parse_args()
     with contextlib.ExitStack() as contexts:
         place = Place(options.out, contexts)
         good = options.restarts == 0 or check_restarts(place, options.restarts)
         good = (options.exits == 0 or check_exits(place, options.exits)) and good
+        good = (not options.store or check_frames(place, os.path.abspath(options.store))) and good
     return 0 if good else 1
 
 

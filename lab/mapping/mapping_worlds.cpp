@@ -43,7 +43,7 @@ sim::World halfTurnRoom() {
   return world;
 }
 
-sim::World alikeCells(int cells, std::uint64_t seed) {
+sim::World alikeCells(int cells, std::uint64_t seed, double copied) {
   constexpr double kCell = 4.0, kDoor = 1.0, kHalfWidth = 0.9;
   std::seed_seq sequence{seed, seed >> 32U, std::uint64_t{0xce11}};
   sim::Rng rng(sequence);
@@ -60,10 +60,16 @@ sim::World alikeCells(int cells, std::uint64_t seed) {
       world.walls.push_back({{{door + kDoor, wall}, {x + kCell, wall}}, {}});
       if (i > 0) world.walls.push_back({{{x, wall}, {x, back}}, {}});
       // A desk along the back wall and a cabinet, where each person likes them.
-      addBox(world, x + sim::uniform(rng, 1.2, 2.8), back - side * 0.5, 1.6, 0.8);
-      const bool left = sim::uniform(rng) < 0.5;
-      addBox(world, left ? x + 0.35 : x + kCell - 0.35, wall + side * sim::uniform(rng, 0.9, 2.4),
-             0.5, 0.9);
+      double desk = sim::uniform(rng, 1.2, 2.8);
+      bool left = sim::uniform(rng) < 0.5;
+      double cabinet = sim::uniform(rng, 0.9, 2.4);
+      if (copied > 0.0 && sim::uniform(rng) < copied) {
+        desk = 2.0;
+        left = true;
+        cabinet = 1.6;
+      }
+      addBox(world, x + desk, back - side * 0.5, 1.6, 0.8);
+      addBox(world, left ? x + 0.35 : x + kCell - 0.35, wall + side * cabinet, 0.5, 0.9);
     }
   }
   world.walls.push_back({{{0.0, -kHalfWidth}, {0.0, kHalfWidth}}, {}});
@@ -86,6 +92,7 @@ sim::World mappingWorld(const std::string& name, std::uint64_t seed, const std::
       {"home", sim::BuildingKind::kHome}};
   if (name == "half_turn") return halfTurnRoom();
   if (name == "cells") return alikeCells(6, seed);
+  if (name == "copied_cells") return alikeCells(10, seed, 0.8);
   const auto kind = kKinds.find(name);
   if (kind != kKinds.end()) return sim::generateBuilding(kind->second, seed);
   if (name.find(".yaml") != std::string::npos) return sim::loadWorld(name);

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   po::options_description options("usage: place_memory_mapping SUITE [options]");
   options.add_options()("help", "show this")(
       "suite", po::value<std::string>()->required(),
-      "drives, sonars, kidnaps, starts, sessions, links or soak")(
+      "drives, sonars, kidnaps, starts, sessions, links, soak or fit_lost")(
       "world", po::value<std::vector<std::string>>()->multitoken(),
       "those to drive about in: corridor, open_plan, laboratory, home, cells, half_turn, or a "
       "world file's name")("worlds", po::value(&suite.worlds)->default_value("config/worlds"),

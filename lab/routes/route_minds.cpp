@@ -44,8 +44,9 @@ void LearningMind::notice(std::size_t from, std::size_t to, double begin, double
   const core::LinkDirection& before = traversal.from == link.first ? link.forward : link.backward;
   const core::LinkDirection now = core::learned(
       before, traversal, core::expectedTime(link, before, options_), options_.half_life);
-  const core::MapChange change{
-      map_.version() + 1, traversal.end, {core::LinkLearned{traversal.from, traversal.to, now}}};
+  const core::MapChange change{map_.version() + 1,
+                               traversal.end,
+                               {core::LinkLearned{traversal.from, traversal.to, now, traversal}}};
   map_.apply(change);
   planner_.follow(change);
   ++traversals_;

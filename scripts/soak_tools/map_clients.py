@@ -90,6 +90,8 @@ class Fool(Client):
         ("set_link", srv.SetLink, {"from_label": "\x00", "action": 3, "cost": math.nan}),
         ("set_mode", srv.SetMode, {"mode": "m" * 1000000}),
         ("set_mode", srv.SetMode, {"mode": ""}),
+        ("judge_closure", srv.JudgeClosure, {"label": "c" * 1000000, "action": 1}),
+        ("judge_closure", srv.JudgeClosure, {"id": -1, "action": 255}),
         ("undo", srv.Undo, {"count": 4294967295}),
         ("load", srv.Load, {"path": "../../etc/passwd"}),
         ("load", srv.Load, {"path": "nothing.db"}),

@@ -73,6 +73,7 @@ void readScan(ParameterReader& reader, ScanOptions& scan) {
   reader.number("scan/heading_timeout", leftOpen(0.0, kLongest), scan.heading_timeout);
   reader.number("scan/max_age", leftOpen(0.0, kDay), scan.max_age);
   reader.flag("scan/over_range_is_no_echo", scan.over_range_is_no_echo);
+  reader.flag("scan/zero_range_is_no_echo", scan.zero_range_is_no_echo);
 }
 
 void readSonar(ParameterReader& reader, core::SonarModelOptions& sonar) {

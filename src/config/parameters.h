@@ -35,6 +35,7 @@ struct ScanOptions {
   double heading_timeout = 1.0;  ///< [s]
   double max_age = 600.0;        ///< of a scan that is learned or recognized [s]
   bool over_range_is_no_echo = false;
+  bool zero_range_is_no_echo = false;  ///< 0 where min_range is above 0
 };
 
 /// What drivers say where no echo came, beside +inf (REP 117).

@@ -15,6 +15,7 @@
 #include "node/base/cell_marker.h"
 #include "node/base/conversions.h"
 #include "node/base/ros_time.h"
+#include "node/drive/closure_words.h"
 #include "node/drive/drive_diagnostics.h"
 #include "node/input/sensor_placement.h"
 #include "node/map/memory_diagnostics.h"
@@ -85,7 +86,7 @@ PlaceMemoryNode::PlaceMemoryNode(const ros::NodeHandle& names, const ros::NodeHa
       diagnostics_(names_, private_names_),
       clicks_(
           private_names_, *memory_, answer_publisher_, [this] { return believedPlaces(); },
-          parameters_),
+          [this](core::PlaceId id, bool is_there) { judgeClosure(id, is_there); }, parameters_),
       handles_(private_names_, *memory_, static_cast<std::size_t>(parameters_.markers.clickable),
                parameters_.map_frame,
                [this](core::PlaceId id, PlaceEntry entry) { clicks_.choose(id, entry); }),
@@ -151,7 +152,7 @@ void PlaceMemoryNode::sayWhatIsKnown() const {
 void PlaceMemoryNode::onDiagnosticsTimer() {
   diagnostics_.force_update();
   map_publisher_.follow();
-  handles_.follow(locateRobot());
+  if (parameters_.markers.clickable > 0) handles_.follow(locateRobot(), askedPlaces());
   if (ros::Time::isValid()) return;
   if (ticks_without_time_++ % kTicksBetweenWarnings == 0) {
     ROS_WARN("Waiting for simulated time on /clock");  // throttled logging needs a time itself
@@ -234,6 +235,19 @@ std::vector<core::RouteStart> PlaceMemoryNode::believedPlaces() const {
     if (probability >= kWorthARoute) places.push_back({id, probability});
   }
   return places;
+}
+
+std::set<core::PlaceId> PlaceMemoryNode::askedPlaces() const {
+  std::set<core::PlaceId> places;
+  for (const core::ClosureQuestion& question : driver_.closureQuestions()) {
+    places.insert(question.place);
+  }
+  return places;
+}
+
+void PlaceMemoryNode::judgeClosure(core::PlaceId id, bool is_there) {
+  const auto word = driver_.judgeClosure(id, is_there);
+  if (word) ROS_INFO("%s", replyTo(*word, is_there).message.c_str());
 }
 
 std::optional<core::Pose2d> PlaceMemoryNode::mapFromOdom() const {

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,9 @@ class PlaceMemoryNode {
   std::optional<core::Pose2d> locateRobot() const;
   std::optional<core::Pose2d> mapFromOdom() const;
   std::vector<core::RouteStart> believedPlaces() const;
+  /// Of which a person may say whether the robot is there.
+  std::set<core::PlaceId> askedPlaces() const;
+  void judgeClosure(core::PlaceId id, bool is_there);
   void publishStep(const MapDriver::Step& step);
   void setUpDiagnostics();
   void onDiagnosticsTimer();

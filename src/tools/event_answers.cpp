@@ -38,9 +38,9 @@ void EventAnswers::answer(ReportedEvent& reported) {
     return;
   }
   result.status = node::toString(scan.outcome.status);
-  result.message = scan.outcome.message;
+  // Where the bag holds nothing, there is nothing to ask about sensors.
   const std::string missing = bags_.missing(event.start, event.end);
-  if (!missing.empty()) result.message += (result.message.empty() ? "" : "; ") + missing;
+  result.message = missing.empty() ? scan.outcome.message : missing;
 }
 
 void EventAnswers::write(const ReportedEvent& reported) {

@@ -46,6 +46,7 @@ void expectSame(const Parameters& a, const Parameters& b) {
   EXPECT_EQ(a.scan.heading_timeout, b.scan.heading_timeout);
   EXPECT_EQ(a.scan.max_age, b.scan.max_age);
   EXPECT_EQ(a.scan.over_range_is_no_echo, b.scan.over_range_is_no_echo);
+  EXPECT_EQ(a.scan.zero_range_is_no_echo, b.scan.zero_range_is_no_echo);
   EXPECT_EQ(a.match.preset, b.match.preset);
   EXPECT_EQ(a.match.recognizer.method, b.match.recognizer.method);
   EXPECT_EQ(a.match.recognizer.position_window, b.match.recognizer.position_window);

@@ -10,7 +10,7 @@ const std::vector<Target>& targets() {
       {"events", runEvents},     {"world", runWorld},           {"episodes", runEpisodes},
       {"drive", runDrive},       {"store", runStore},           {"text", runText},
       {"mapper", runMapper},     {"memory", runMemory},         {"edits", runEdits},
-      {"paths", runPaths},
+      {"paths", runPaths},       {"goals", runGoals},
   };
   return targets;
 }

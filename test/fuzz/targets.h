@@ -33,6 +33,7 @@ void runMapper(const std::uint8_t* bytes, std::size_t size);
 void runMemory(const std::uint8_t* bytes, std::size_t size);
 void runEdits(const std::uint8_t* bytes, std::size_t size);
 void runPaths(const std::uint8_t* bytes, std::size_t size);
+void runGoals(const std::uint8_t* bytes, std::size_t size);
 void runText(const std::uint8_t* bytes, std::size_t size);
 
 inline std::string asText(const std::uint8_t* bytes, std::size_t size) {

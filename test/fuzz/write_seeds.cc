@@ -1,5 +1,7 @@
 // Writes what scripts/fuzz begins with that no file of the package is: messages and small stores.
 // usage: fuzz_seeds FOLDER
+#include <place_memory/ExploreGoal.h>
+#include <place_memory/GoToPlaceGoal.h>
 #include <ros/serialization.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -174,6 +176,46 @@ void writeQuestions(const std::string& folder) {
   write(folder + "/questions", bytes);
 }
 
+template <class Goal>
+core::BytePacker packed(std::uint8_t action, const Goal& goal) {
+  std::string message(ros::serialization::serializationLength(goal), '\0');
+  ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(message.data()),
+                                     static_cast<std::uint32_t>(message.size()));
+  ros::serialization::serialize(stream, goal);
+  core::BytePacker bytes;
+  bytes.add(action).add(message);
+  return bytes;
+}
+
+// As runGoals() reads them.
+void writeGoals(const std::string& folder) {
+  GoToPlaceGoal goal;
+  goal.label = "c";
+  core::BytePacker to_label = packed(0, goal);
+  for (const int deed : {0, 3, 1, 0, 2}) {
+    to_label.add(std::uint16_t{900}).add(static_cast<std::uint8_t>(deed));
+    if (deed == 2) to_label.add(std::int8_t{3});
+  }
+  write(folder + "/label", to_label);
+  goal.label.clear();
+  goal.pose.header.frame_id = "map";
+  goal.pose.pose.position.x = 5.0;
+  core::BytePacker to_pose = packed(0, goal);
+  to_pose.add(std::uint16_t{900}).add(std::uint8_t{0}).add(std::uint16_t{5}).add(std::uint8_t{1});
+  write(folder + "/pose", to_pose);
+  ExploreGoal about;
+  about.most_distance = 20.0;
+  core::BytePacker explore = packed(1, about);
+  for (int i = 0; i < 12; ++i) {
+    for (int sonar = -4; sonar < 4; ++sonar) {
+      explore.add(std::uint8_t{1}).add(static_cast<std::int8_t>(30 * sonar)).add(std::uint8_t{110});
+    }
+    explore.add(std::uint8_t{0}).add(std::int8_t{25}).add(std::int8_t{0}).add(std::int8_t{5});
+    explore.add(static_cast<std::uint8_t>(i % 4 == 3 ? 3 : 2));
+  }
+  write(folder + "/explore", explore);
+}
+
 }  // namespace
 }  // namespace place_memory
 
@@ -183,7 +225,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::string folder = argv[1];
-  for (const char* const name : {"messages", "store", "mapper", "edits", "memory"}) {
+  for (const char* const name : {"messages", "store", "mapper", "edits", "memory", "goals"}) {
     std::filesystem::create_directories(folder + "/" + name);
   }
   place_memory::writeMessages(folder + "/messages");
@@ -191,4 +233,5 @@ int main(int argc, char** argv) {
   place_memory::writeDrive(folder + "/mapper");
   place_memory::writeEdits(folder + "/edits");
   place_memory::writeQuestions(folder + "/memory");
+  place_memory::writeGoals(folder + "/goals");
 }

@@ -63,7 +63,8 @@ const std::map<std::string, Parts> kMayUse{
     {"core/drive", {"core/route", "core/sensing"}},
     {"core/store", {"core/map", "core/grid"}},
     {"core/explore", {"core/mapping"}},
-    {"core/memory", {"core/drive", "core/explore", "core/route", "core/store"}},
+    {"core/views", {"core/recognize", "core/route"}},
+    {"core/memory", {"core/drive", "core/explore", "core/store", "core/views"}},
 
     {"config", {"core/memory", "yaml-cpp"}},
 

@@ -6,6 +6,7 @@ import os
 import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from place_memory.msg import MapEvent, Recognition
+from place_memory.srv import JudgeClosureRequest, JudgeClosureResponse
 from std_msgs.msg import String
 
 import live_test
@@ -83,6 +84,53 @@ class LiveDriveEditsTest(live_test.LiveTestCase):
         pose = self.newest_pose().pose.pose.position
         self.assertAlmostEqual(pose.x - hall.location.x, self.robot.in_room[0] + 1.0, delta=0.25)
         self.assertAlmostEqual(pose.y - hall.location.y, self.robot.in_room[1], delta=0.25)
+
+    def start_the_next_day(self):
+        """Beside a place that is known, where two scans say so; the node maps, and does not know where
+        it is."""
+        self.start(mode="map")
+        self.place_in_hall(-1.0)
+        self.scan_well(headings=11, turn=2)
+        self.node.call("learn_place", label="hall")
+        self.node.stop()
+        self.start(mode="map")
+        self.robot.odometry = (0.0, 0.0, 0.0)
+        self.place_in_hall(-1.2)
+        for _ in range(2):
+            self.scan_well(headings=11, turn=2)
+            self.drive(0.3)
+        self.run_robot(lambda: self.judge("LIST").waiting, "a question")
+
+    def judge(self, action, label=""):
+        return self.node.call("judge_closure", label=label,
+                              action=getattr(JudgeClosureRequest, action))
+
+    def test_a_person_confirms_where_the_robot_is(self):
+        self.start_the_next_day()
+        waiting = self.judge("LIST").waiting
+        self.assertEqual([candidate.label for candidate in waiting], ["hall"])
+        self.assertGreaterEqual(waiting[0].scans, 2)
+        self.assertIn("scans", waiting[0].sentence)
+        self.assert_answer(self.judge("CONFIRM", "hall"), JudgeClosureResponse.OK)
+        self.run_robot(lambda: MapEvent.JOINED in self.kinds(), "the join")
+        self.assertFalse(self.judge("LIST").waiting)
+        hall = next(place for place in self.graph().places if place.label == "hall")
+        self.run_for(1.0)
+        pose = self.newest_pose().pose.pose.position
+        self.assertAlmostEqual(pose.x - hall.location.x, self.robot.in_room[0] + 1.0, delta=0.3)
+
+    def test_nothing_comes_of_what_a_person_cuts(self):
+        self.start_the_next_day()
+        self.assert_answer(self.judge("CUT", "hall"), JudgeClosureResponse.OK)
+        self.scan_well(headings=11, turn=2)
+        self.assertFalse(self.judge("LIST").waiting)
+        self.assertNotIn(MapEvent.JOINED, self.kinds())
+        self.assert_answer(self.judge("CUT", "hall"), JudgeClosureResponse.NO_CANDIDATE)
+        self.assert_answer(self.judge("CONFIRM", "nowhere"), JudgeClosureResponse.UNKNOWN_PLACE)
+        response = self.node.call("judge_closure", label="hall", action=9)
+        self.assert_answer(response, JudgeClosureResponse.INVALID)
+        self.assert_answer(self.node.call("set_mode", mode="off"), 0)
+        self.assert_answer(self.judge("CUT", "hall"), JudgeClosureResponse.OFF)
 
     def test_what_people_remove_is_gone_for_the_drive_too(self):
         self.start(mode="map")

@@ -38,6 +38,7 @@ SERVICES = {
     "make_plan": GetPlan,
     "set_mode": srv.SetMode,
     "relocalize": srv.Relocalize,
+    "judge_closure": srv.JudgeClosure,
     "undo": srv.Undo,
     "save": srv.Save,
     "load": srv.Load,

@@ -9,9 +9,9 @@ class LiveTutorialRobotTest(TutorialTestCase):
     def test_tutorial_1(self):
         said = self.run_page("tutorial_1.md")
         answer = said["rosservice call /place_memory/recognize_place '{}'"]
-        # How probable depends on where the robot is back: its way is so many seconds of this machine.
         first = answer.split("matches:")[1].split("- ")[1]
         self.assertIn('label: "laboratory"', first)
+        self.assertGreater(float(first.split("probability:")[1].split()[0]), 0.5)
 
     def test_tutorial_2(self):
         self.run_page("tutorial_2.md")

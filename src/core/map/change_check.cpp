@@ -27,7 +27,11 @@ std::string inWords(const Ends& ends) {
 /// The map as it will be after the edits so far, kept as what differs from the map as it is.
 class ChangeCheck {
  public:
-  explicit ChangeCheck(const PlaceMap& map) : map_(map) {}
+  /// A store is opened by one change of so many edits as it has rows.
+  ChangeCheck(const PlaceMap& map, std::size_t edits) : map_(map) {
+    labels_.reserve(edits);
+    ids_.reserve(edits);
+  }
 
   void operator()(const PlaceAdded& edit) {
     const Place& place = edit.place;
@@ -83,7 +87,7 @@ class ChangeCheck {
     if (!is_finite) refuse("the pose along the " + inWords(ends) + " is not finite");
     checkDirection(ends, link.forward);
     checkDirection(ends, link.backward);
-    links_[ends] = true;
+    links_.insert_or_assign(links_.end(), ends, true);  // a store's links come in their order
   }
 
   void operator()(const LinkRemoved& edit) {
@@ -170,7 +174,7 @@ void checkChange(const PlaceMap& map, const MapChange& change) {
     refuse("the change makes version " + std::to_string(change.version) + " of a map of version " +
            std::to_string(map.version()));
   }
-  ChangeCheck check(map);
+  ChangeCheck check(map, change.edits.size());
   for (const MapEdit& edit : change.edits) std::visit(check, edit);
 }
 

@@ -22,8 +22,10 @@ constexpr double kTooLong = 10.0;
 // A link between places that lie in one another still takes a moment.
 constexpr double kLeastTime = 1.0;  // [s]
 
-double seconds(std::chrono::nanoseconds time) {
-  return std::chrono::duration<double>(time).count();
+/// Of any two times: what a store or a client says may lie further apart than nanoseconds count.
+double secondsBetween(std::chrono::nanoseconds begin, std::chrono::nanoseconds end) {
+  using Seconds = std::chrono::duration<double>;
+  return (Seconds(end) - Seconds(begin)).count();
 }
 
 void age(LinkDirection& direction, std::chrono::nanoseconds now, double half_life) {
@@ -38,7 +40,7 @@ double priorThrough(bool driven) { return driven ? kDrivenThrough : kInferredThr
 }  // namespace
 
 double weightLeft(std::chrono::nanoseconds then, std::chrono::nanoseconds now, double half_life) {
-  return now <= then ? 1.0 : std::exp2(-seconds(now - then) / half_life);
+  return now <= then ? 1.0 : std::exp2(-secondsBetween(then, now) / half_life);
 }
 
 void MapCaution::add(const LinkDirection& direction, std::chrono::nanoseconds now,
@@ -82,7 +84,7 @@ double expectedLoss(const LinkDirection& direction, double time) {
 LinkDirection learned(LinkDirection direction, const Traversal& traversal, double expected,
                       double half_life) {
   age(direction, traversal.end, half_life);
-  const double took = seconds(traversal.end - traversal.begin);
+  const double took = secondsBetween(traversal.begin, traversal.end);
   const bool is_timed = took > 0.0 && took <= kTooLong * expected;
   std::uint32_t& count = traversal.succeeded ? direction.succeeded : direction.failed;
   if (count < UINT32_MAX) ++count;

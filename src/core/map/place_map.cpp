@@ -94,6 +94,9 @@ PlaceMap::PlaceMap(std::vector<Place> places, const std::vector<PlaceLink>& link
   MapChange change;
   change.version = 1;
   change.edits.reserve(places.size() + links.size());
+  places_.reserve(places.size());
+  id_of_label_.reserve(places.size());
+  neighbours_.reserve(places.size());
   for (Place& place : places) change.edits.emplace_back(PlaceAdded{std::move(place), {}, {}});
   for (const PlaceLink& link : links) change.edits.emplace_back(LinkAdded{link});
   apply(change);

@@ -36,6 +36,11 @@ std::size_t placesOf(const ClosureCandidate& candidate) {
   return places.size();
 }
 
+bool sees(const ClosureCandidate& candidate, PlaceId place) {
+  return std::any_of(candidate.witnesses.begin(), candidate.witnesses.end(),
+                     [place](const Witness& witness) { return witness.place == place; });
+}
+
 bool agrees(const Pose2d& a, const Pose2d& b, double way) {
   return std::hypot(a.x - b.x, a.y - b.y) <= kNear + kNearGrows * way &&
          std::abs(wrapAngle(a.yaw - b.yaw)) <= kTurn + kTurnGrows * way;
@@ -87,28 +92,54 @@ void ClosureCandidates::update(std::size_t node, double way, double stretch, con
     const Pose2d there = candidate.target_from_estimate * estimate;
     candidate.moves = std::hypot(there.x - estimate.x, there.y - estimate.y);
   }
-  std::stable_sort(
-      candidates_.begin(), candidates_.end(),
-      [](const ClosureCandidate& a, const ClosureCandidate& b) { return a.weight() > b.weight(); });
+  const auto is_better = [](const ClosureCandidate& a, const ClosureCandidate& b) {
+    return a.cut == b.cut ? a.weight() > b.weight() : b.cut;
+  };
+  std::stable_sort(candidates_.begin(), candidates_.end(), is_better);
   // Of two that have come to mean the same, the better one stays.
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const Pose2d here = candidates_[i].target_from_estimate * estimate;
     for (std::size_t j = candidates_.size(); j-- > i + 1;) {
       if (!agrees(candidates_[j].target_from_estimate * estimate, here, 0.0)) continue;
+      candidates_[i].cut = candidates_[i].cut || candidates_[j].cut;
       candidates_.erase(candidates_.begin() + static_cast<std::ptrdiff_t>(j));
     }
   }
+  std::stable_sort(candidates_.begin(), candidates_.end(), is_better);
   if (candidates_.size() > kMost) candidates_.resize(kMost);
 }
 
 const ClosureCandidate* ClosureCandidates::foremost() const {
-  return candidates_.empty() ? nullptr : &candidates_.front();
+  return candidates_.empty() || candidates_.front().cut ? nullptr : &candidates_.front();
 }
 
-/// The farther off the robot may be, the more rooms there are to mistake.
-std::size_t ClosureCandidates::placesAsked(const ClosureCandidate& candidate) const {
-  if (options_.farther <= 0.0) return options_.places;
-  return options_.places + static_cast<std::size_t>(candidate.moves / options_.farther);
+const ClosureCandidate* ClosureCandidates::at(PlaceId place) const {
+  const auto found = std::find_if(candidates_.begin(), candidates_.end(),
+                                  [place](const ClosureCandidate& candidate) {
+                                    return !candidate.cut && sees(candidate, place);
+                                  });
+  return found == candidates_.end() ? nullptr : &*found;
+}
+
+bool ClosureCandidates::cut(PlaceId place) {
+  bool any = false;
+  for (ClosureCandidate& candidate : candidates_) {
+    if (candidate.cut || !sees(candidate, place)) continue;
+    candidate.cut = true;
+    any = true;
+  }
+  std::stable_partition(candidates_.begin(), candidates_.end(),
+                        [](const ClosureCandidate& candidate) { return !candidate.cut; });
+  return any;
+}
+
+/// The farther off the robot may be, the more rooms there are to mistake; a map of a few places
+/// shows one or two of them, and cannot tell.
+std::size_t ClosureCandidates::placesAsked(const ClosureCandidate& candidate,
+                                           std::size_t known) const {
+  const double further = options_.farther > 0.0 ? candidate.moves / options_.farther : 0.0;
+  const std::size_t more = std::min(static_cast<std::size_t>(further), options_.more);
+  return std::min(options_.places, known) + more;
 }
 
 void ClosureCandidates::dropForemost() {
@@ -116,7 +147,7 @@ void ClosureCandidates::dropForemost() {
 }
 
 const ClosureCandidate* ClosureCandidates::accepted(std::size_t known) const {
-  if (candidates_.empty()) return nullptr;
+  if (empty()) return nullptr;
   const ClosureCandidate& best = candidates_.front();
   // Rooms that look alike do so in every scan: more scans of one do not make up for odometry, other
   // rooms that go on agreeing do.
@@ -126,11 +157,12 @@ const ClosureCandidate* ClosureCandidates::accepted(std::size_t known) const {
   const auto witnesses = static_cast<double>(best.witnesses.size());
   if (witnesses < static_cast<double>(options_.witnesses) + more || spread < wanted) return nullptr;
   if (best.weight() < options_.score) return nullptr;
-  if (placesOf(best) < std::min(placesAsked(best), known)) return nullptr;
+  if (placesOf(best) < placesAsked(best, known)) return nullptr;
   if (options_.misses * static_cast<std::size_t>(best.misses) > best.witnesses.size()) {
     return nullptr;
   }
-  if (candidates_.size() > 1 && candidates_[1].weight() > best.weight() - options_.margin) {
+  if (candidates_.size() > 1 && !candidates_[1].cut &&
+      candidates_[1].weight() > best.weight() - options_.margin) {
     return nullptr;
   }
   return &best;

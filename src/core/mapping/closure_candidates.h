@@ -24,6 +24,7 @@ struct ClosureOptions {
   std::size_t places = 2;
   double farther = 4.0;     ///< for each so far that it moves the robot one more; 0: for none [m]
   double agreement = 0.55;  ///< of the witnesses' scans with the places, on an average
+  std::size_t more = 8;     ///< for `farther` at most
 };
 
 /// Where one place of the target puts a scan.
@@ -50,6 +51,7 @@ struct ClosureCandidate {
   int misses = 0;      ///< scans at places of the target that did not agree
   double moves = 0.0;  ///< how far from where the robot is thought to be it has it [m]
   std::vector<Witness> witnesses;
+  bool cut = false;  ///< by a person's word: nothing comes of it
 
   /// How much speaks for it.
   double weight() const { return score + prior; }
@@ -73,7 +75,13 @@ class ClosureCandidates {
   const ClosureCandidate* accepted(std::size_t known) const;
   /// The one for which most speaks, or nullptr.
   const ClosureCandidate* foremost() const;
-  bool empty() const { return candidates_.empty(); }
+  bool empty() const { return foremost() == nullptr; }
+  const std::vector<ClosureCandidate>& all() const { return candidates_; }
+  /// The best of those that have a witness at a place, or nullptr.
+  const ClosureCandidate* at(PlaceId place) const;
+  /// A person says that those with a witness at a place are wrong: nothing comes of them, nor of
+  /// what agrees with them, until they are given up. Whether there were any.
+  bool cut(PlaceId place);
   /// Forgets a candidate for good or all: their transforms hold no more.
   void clear() { candidates_.clear(); }
   void dropForemost();
@@ -86,11 +94,11 @@ class ClosureCandidates {
   const ClosureOptions& options() const { return options_; }
 
  private:
-  std::size_t placesAsked(const ClosureCandidate& candidate) const;
+  std::size_t placesAsked(const ClosureCandidate& candidate, std::size_t known) const;
 
   ClosureOptions options_;
   double stretch_ = 0.0;                      ///< length of the newest scan's [m]
-  std::vector<ClosureCandidate> candidates_;  ///< by falling weight
+  std::vector<ClosureCandidate> candidates_;  ///< by falling weight, then those that were cut
 };
 
 }  // namespace place_memory::core

@@ -112,6 +112,16 @@ bool LoopCloser::observe(bool tracked, bool expected, double way) {
   return false;
 }
 
+bool LoopCloser::cutTrial(PlaceId place) {
+  const auto ties_it = [&](const Tie& tie) {
+    return tie.closure == onTrial() && graph_.node(tie.place).place == place;
+  };
+  if (!trial_ || std::none_of(graph_.ties().begin(), graph_.ties().end(), ties_it)) return false;
+  takeBack(*trial_);
+  trial_.reset();
+  return true;
+}
+
 bool LoopCloser::cutContradicted() {
   std::map<int, std::pair<double, int>> ties;
   for (const Tie& tie : graph_.ties()) {

@@ -32,6 +32,9 @@ class LoopCloser {
 
   /// The closure that is on trial, 0: none. Ties that rest on it go with it.
   int onTrial() const { return trial_ ? trial_->number : 0; }
+  /// A person says that the closure on trial is wrong; false where none that is ties scans to the
+  /// place.
+  bool cutTrial(PlaceId place);
   /// The robot is elsewhere: what is on trial is neither proven nor disproven.
   void endTrial() { trial_.reset(); }
   /// Of a trial that failed: the session that is apart again, where sessions had been joined.

@@ -148,7 +148,6 @@ void Mapper::process(const MovingScan& scan) {
   speakOfJoins(at, scan, view);
   if (accepted(carried_, kMapSession)) partWays();
   if (closeLoops(way)) {
-    anchored_way_ = way;
     decision.kind = ScanDecision::Kind::kClosed;
   } else {
     judgeLost(at, view, decision);

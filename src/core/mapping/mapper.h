@@ -12,6 +12,7 @@
 #include "core/map/kept_map.h"
 #include "core/map/place_belief.h"
 #include "core/mapping/closure_candidates.h"
+#include "core/mapping/closure_question.h"
 #include "core/mapping/dead_reckoning.h"
 #include "core/mapping/graph_thinning.h"
 #include "core/mapping/loop_closer.h"
@@ -42,8 +43,10 @@ struct MapperOptions {
   ClosureOptions closure;  ///< of loops
   ClosureOptions join{10,  7.0, 2.0, 20.0, 4.0,
                       6.0, 5,   5,   0.0,  0.65};  ///< of a session with the map
+  /// Of what was driven since the robot seemed lost: perhaps it never was.
+  ClosureOptions rejoin{10, 7.0, 2.0, 20.0, 4.0, 6.0, 5, 5, 4.0, 0.65, 2};
   /// Of a robot that thinks to be on new ground, and is carried to where it was: rooms look alike.
-  ClosureOptions carried{12, 8.0, 2.0, 24.0, 5.0, 6.0, 5, 6, 0.0, 0.65};
+  ClosureOptions carried{12, 8.0, 2.0, 24.0, 5.0, 6.0, 5, 6, 4.0, 0.65};
   ClosureOptions relocate{2,   0.2, 0.0, 4.0, 2.0,
                           4.0, 3,   1,   0.0, 0.0};  ///< of a robot that only asks where it is
   double cell_size = kDefaultCellSize;               ///< [m]
@@ -123,6 +126,13 @@ class Mapper {
   void setNamed(PlaceId id) { named_.insert(id); }
   /// The place is gone, by a person's word; its scan stays in the graph.
   void forget(PlaceId id);
+
+  /// Where scans that agree say that the robot is, too few of them yet for the map to follow.
+  std::vector<ClosureQuestion> closureQuestions() const;
+  /// A person says that the robot is at the place of a question, or that it is not: then nothing
+  /// comes of it, and a closure there that is new is taken back.
+  ClosureWord confirmClosure(PlaceId place);
+  ClosureWord cutClosure(PlaceId place);
 
   /// What became of scans since it was asked last. Where a scan becomes a place only later, since
   /// it was not clear whether a loop closes, there is a second decision with its stamp, which takes
@@ -209,6 +219,7 @@ class Mapper {
   const ClosureCandidate* accepted(const ClosureCandidates& candidates, int target) const;
   double mostSigma(NodeIndex at) const;
   bool closeLoops(double way);
+  bool close(const ClosureCandidate& candidate, int target, double way);
   void takeBack();
   PlaceBelief::Map beliefMap() const;
   void believe(NodeIndex at, const std::vector<PlaceFit>& fits, const LaidScan& scan);

@@ -82,6 +82,29 @@ void Mapper::forget(PlaceId id) {
   belief_.forget(id);
 }
 
+ClosureWord Mapper::confirmClosure(PlaceId place) {
+  const bool is_known = loops_.at(place) || carried_.at(place) || joins_.at(place);
+  if (!is_known || !last_middle_) return ClosureWord::kNoQuestion;
+  // Odometry cannot have brought it there: what it was about lies apart, and then joins the map.
+  if (carried_.at(place)) partWays();
+  const bool is_apart = session_ != kMapSession;
+  const ClosureCandidate* join = is_apart ? joins_.at(place) : nullptr;
+  const ClosureCandidate* candidate = join ? join : loops_.at(place);
+  if (!candidate) return ClosureWord::kRefused;
+  return close(*candidate, join ? kMapSession : session_, last_middle_->way)
+             ? ClosureWord::kDone
+             : ClosureWord::kRefused;
+}
+
+ClosureWord Mapper::cutClosure(PlaceId place) {
+  bool any = false;
+  for (ClosureCandidates* kind : {&loops_, &carried_, &joins_}) any = kind->cut(place) || any;
+  if (any) return ClosureWord::kDone;
+  if (!closer_.cutTrial(place)) return ClosureWord::kNoQuestion;
+  takeBack();
+  return ClosureWord::kDone;
+}
+
 void Mapper::note(MapperEvent::Kind kind, const ClosureCandidate* candidate) {
   std::set<PlaceId> places;
   if (candidate != nullptr) {

@@ -134,6 +134,7 @@ void Mapper::partWays() {
   graph_.cutBefore(cut);
   ClosureCandidates known = carried_;
   beginApart();
+  if (options_.mode == MapperMode::kMap) joins_ = ClosureCandidates(options_.rejoin);
   joins_.takeOver(known);
   graph_.split(cut, session_, Pose2d{});
   shelf_.resort(graph_);

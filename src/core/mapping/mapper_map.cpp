@@ -14,6 +14,7 @@ constexpr double kLostAfterClosure = 0.05;
 constexpr double kFarOff = 14.2;
 /// Share of the agreement that is asked on an average which no witness may fall short of.
 constexpr double kLeastAgreement = 0.65;
+constexpr double kMostWait = 8.0;    ///< way for which places may wait for closures [m]
 constexpr double kRemembered = 3.0;  ///< places about by which a thinned scan is remembered [m]
 constexpr int kSteps = 15;           ///< of a relaxation after a change of what is known
 
@@ -47,22 +48,30 @@ const ClosureCandidate* Mapper::accepted(const ClosureCandidates& candidates, in
 }
 
 bool Mapper::closeLoops(double way) {
-  const bool moves_map = options_.mode == MapperMode::kMap;
-  bool closed = false;
   if (const ClosureCandidate* loop = accepted(loops_, session_)) {
-    closed = closer_.close(*loop, session_, session_, moves_map, way);
-    note(closed ? MapperEvent::Kind::kClosed : MapperEvent::Kind::kRefused, loop);
-    if (!closed) loops_.dropForemost();
+    if (close(*loop, session_, way)) return true;
+    loops_.dropForemost();
   }
-  if (!closed && session_ != kMapSession) {
-    if (const ClosureCandidate* join = accepted(joins_, kMapSession)) {
-      closed = closer_.close(*join, session_, kMapSession, moves_map, way);
-      note(closed ? MapperEvent::Kind::kJoined : MapperEvent::Kind::kRefused, join);
-      if (!closed) joins_.dropForemost();
-      if (closed) session_ = kMapSession;
-    }
+  if (session_ == kMapSession) return false;
+  if (const ClosureCandidate* join = accepted(joins_, kMapSession)) {
+    if (close(*join, kMapSession, way)) return true;
+    joins_.dropForemost();
   }
+  return false;
+}
+
+/// Forgets all candidates, this one too, where it closes.
+bool Mapper::close(const ClosureCandidate& candidate, int target, double way) {
+  const bool moves_map = options_.mode == MapperMode::kMap;
+  const bool joins = target != session_;
+  const bool closed = closer_.close(candidate, session_, target, moves_map, way);
+  note(!closed ? MapperEvent::Kind::kRefused
+       : joins ? MapperEvent::Kind::kJoined
+               : MapperEvent::Kind::kClosed,
+       &candidate);
   if (!closed) return false;
+  session_ = target;
+  anchored_way_ = way;
   if (moves_map) {
     afterRelaxing();
   } else {
@@ -192,15 +201,20 @@ void Mapper::makePlaces() {
     const ClosureCandidate* best = candidates.foremost();
     return best && best->witnesses.size() >= 2;
   };
-  if (pending(loops_) || pending(carried_) || pending(joins_)) return;
-  for (const NodeIndex at : undecided_) {
+  // What waits for long becomes places all the same: without them the rooms that the robot drives
+  // through since would be missing, and it would take each for one that looks like it.
+  const bool waits = pending(loops_) || pending(carried_) || pending(joins_);
+  auto next = undecided_.begin();
+  for (; next != undecided_.end(); ++next) {
+    const NodeIndex at = *next;
     const ScanNode& node = graph_.node(at);
+    if (waits && reckoning_.way() - node.last_way < kMostWait) break;
     if (!shelf_.near(node.pose, node.session, options_.spacing, false).empty()) continue;
     if (node.place != kNoPlace || !node.readings) continue;
     shelf_.add(at, graph_);
     if (at + 1 < graph_.nodes().size()) decisions_.push_back(lateDecision(at));
   }
-  undecided_.clear();
+  undecided_.erase(undecided_.begin(), next);
 }
 
 }  // namespace place_memory::core

@@ -8,7 +8,8 @@
 namespace place_memory::core {
 namespace {
 
-constexpr double kTold = 3.0;  ///< places further off are not worth a word [m]
+constexpr double kTold = 3.0;      ///< places further off are not worth a word [m]
+constexpr std::size_t kAsked = 2;  ///< scans that agree, before a person is asked
 
 std::string fixed(double number, int digits) {
   char text[32];
@@ -29,6 +30,19 @@ std::string evidence(const ClosureCandidate& candidate, const ClosureOptions& as
 }
 
 }  // namespace
+
+std::vector<ClosureQuestion> Mapper::closureQuestions() const {
+  std::vector<ClosureQuestion> questions;
+  for (const ClosureCandidates* kind : {&loops_, &carried_, &joins_}) {
+    for (const ClosureCandidate& candidate : kind->all()) {
+      const PlaceId place = candidate.witnesses.back().place;
+      const std::size_t scans = candidate.witnesses.size();
+      if (candidate.cut || scans < kAsked || !shelf_.has(place)) continue;
+      questions.push_back({place, scans, evidence(candidate, kind->options())});
+    }
+  }
+  return questions;
+}
 
 std::string Mapper::reasonOf(NodeIndex at, const View& view, const ScanDecision& decision) const {
   const ScanNode& node = graph_.node(at);
@@ -57,8 +71,7 @@ std::string Mapper::reasonOf(NodeIndex at, const View& view, const ScanDecision&
       const ClosureCandidate* loop = loops_.foremost();
       if (session_ != kMapSession) {
         reason = "where this session lies in the map is not known; ";
-        reason += join ? evidence(*join, options_.mode == MapperMode::kMap ? options_.join
-                                                                           : options_.relocate)
+        reason += join ? evidence(*join, joins_.options())
                        : "the scan is of no place of the map that is known by far";
       } else if (carried) {
         reason = "odometry cannot have brought the robot there, but " +

@@ -43,6 +43,7 @@ MemoryState::MemoryState(const PlaceStore& store, bool located, const LinkLearni
     : map(store.map()),
       whereabouts(located, map.size() == 0, store.nextSession()),
       routes(map, links) {
+  routes.remember(store.traversals());
   store.forEachPlanes([this](PlaceId id, const CellPlanes& planes) { index.put(id, planes); });
 }
 

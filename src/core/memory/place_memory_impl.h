@@ -100,7 +100,7 @@ class PlaceMemory::Impl {
   /// Of the places of another store in the map as it is.
   std::vector<MergeSighting> sightingsOf(const PlaceMap& theirs, const PlaceStore& store) const;
   std::size_t join(const SessionJoin& join, std::vector<MapEdit>& edits) const;
-  void traverse(const Following& following, std::vector<MapEdit>& edits) const;
+  void traverse(const Following& following, std::vector<MapEdit>& edits);
   /// Where the two places are linked.
   std::optional<LinkLearned> learnedBy(const Traversal& traversal) const;
   bool fold(const Following& following, std::vector<MapEdit>& edits);
@@ -134,6 +134,8 @@ class PlaceMemory::Impl {
   LearnedScans learned_scans_;
   DrivenPlaces driven_places_;
   std::optional<std::chrono::nanoseconds> last_folded_;  ///< when that scan ended
+  /// To where a traversal was reported last, since a scan told where the robot is.
+  PlaceId reported_to_ = kNoPlace;
 
   ChangeQueue queue_;  ///< ends before what it works on
 };

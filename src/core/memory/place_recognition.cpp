@@ -156,8 +156,11 @@ std::size_t PlaceMemory::Impl::join(const SessionJoin& join, std::vector<MapEdit
   return edits.size() - before;
 }
 
-void PlaceMemory::Impl::traverse(const Following& following, std::vector<MapEdit>& edits) const {
-  if (!following.came) return;
+void PlaceMemory::Impl::traverse(const Following& following, std::vector<MapEdit>& edits) {
+  // Who drives here tells of each link by itself, and of a way round too.
+  const bool is_told = following.came && reported_to_ == following.came->to;
+  reported_to_ = kNoPlace;
+  if (!following.came || is_told) return;
   if (auto learned = learnedBy(*following.came)) edits.emplace_back(std::move(*learned));
 }
 

@@ -87,6 +87,7 @@ void PlaceMemory::Impl::reportTraversal(const Traversal& traversal) {
   queue_.run([&] {
     requireLink(state_.map, traversal.from, traversal.to);
     writer_.commit({*learnedBy(traversal)});
+    if (traversal.succeeded) reported_to_ = traversal.to;
   });
 }
 

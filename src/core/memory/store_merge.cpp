@@ -188,10 +188,15 @@ std::vector<MapEdit> replacingEdits(const PlaceMap& theirs, const PlaceStore& st
                                     PlaceId next_id, SessionId next_session) {
   std::vector<MapEdit> edits{MapCleared{}};
   Counterparts counterparts;
+  // One after the other, the oldest first. Numbers that theirs are added to would double each time
+  // that a map is saved and loaded.
+  std::map<SessionId, SessionId> sessions;
+  for (const Place& place : theirs.places()) sessions.emplace(place.session, kNoSession);
+  for (auto& session : sessions) session.second = next_session++;
   for (const Place& place : theirs.places()) {
     PlaceAdded edit = takenOver(place, store);
     edit.place.id = next_id++;
-    edit.place.session = next_session - kFirstSession + place.session;
+    edit.place.session = sessions.at(place.session);
     counterparts[place.id] = {edit.place.id, Pose2d{}};
     edits.emplace_back(std::move(edit));
   }

@@ -24,6 +24,7 @@ class RouteGraphEditor {
   void operator()(const LinkAdded& edit) { graph_.setLink(edit.link); }
   void operator()(const LinkRemoved& edit) { graph_.removeLink(edit.first, edit.second); }
   void operator()(const LinkLearned& edit) {
+    if (edit.traversal) graph_.hours_.note(*edit.traversal);
     // Where it is gone by the end of the change, the edit that takes it out comes later.
     const PlaceLink* link = map_.findLink(edit.from, edit.to);
     if (link != nullptr) graph_.setLink(*link);
@@ -54,7 +55,9 @@ void RouteGraph::follow(const MapChange& change, const PlaceMap& map) {
 
 void RouteGraph::refresh(const PlaceMap& map, std::chrono::nanoseconds now) {
   const double aged = std::abs(std::chrono::duration<double>(now - costed_).count());
-  const bool is_stale = aged > kStaleShare * options_.half_life ||
+  const bool is_other_hour = LinkHours::hourOf(now) != LinkHours::hourOf(costed_);
+  const bool is_stale = (is_other_hour && hours_.any()) ||
+                        aged > kStaleShare * options_.half_life ||
                         static_cast<double>(changed_) > kStaleShare * static_cast<double>(links_);
   if (is_fresh_ && !is_stale) return;
   is_fresh_ = true;
@@ -92,6 +95,7 @@ void RouteGraph::removeVertex(PlaceId id) {
   if (vertex == kNoVertex) return;
   for (const Arc& arc : arcs_[vertex]) {
     removeArc(arc.to, vertex);
+    hours_.forget(id, ids_[arc.to]);
     --links_;
   }
   arcs_[vertex].clear();
@@ -114,6 +118,7 @@ void RouteGraph::removeLink(PlaceId one, PlaceId other) {
   if (first == kNoVertex || second == kNoVertex) return;
   removeArc(first, second);
   removeArc(second, first);
+  hours_.forget(one, other);
   --links_;
 }
 
@@ -138,9 +143,14 @@ void RouteGraph::removeArc(Vertex from, Vertex to) {
 double RouteGraph::costOf(const PlaceLink& link, const LinkDirection& direction) const {
   if (direction.forbidden) return kBarred;
   const double time = expectedTime(link, direction, options_);
-  const double odds =
-      oddsThrough(direction, wasDriven(link), caution_, costed_, options_.half_life);
-  return time + direction.toll + (1.0 / odds - 1.0) * expectedLoss(direction, time);
+  return time + direction.toll +
+         (1.0 / odds(link, direction, costed_) - 1.0) * expectedLoss(direction, time);
+}
+
+double RouteGraph::odds(const PlaceLink& link, const LinkDirection& direction,
+                        std::chrono::nanoseconds now) const {
+  const double plain = oddsThrough(direction, wasDriven(link), caution_, now, options_.half_life);
+  return hours_.weighed(link, plain, now);
 }
 
 }  // namespace place_memory::core

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/map/link_hours.h"
 #include "place_memory/core/link_learning.h"
 #include "place_memory/core/map_change.h"
 #include "place_memory/core/place_map.h"
@@ -30,14 +31,19 @@ class RouteGraph {
   };
   using Arcs = boost::container::small_vector<Arc, 4>;
 
-  explicit RouteGraph(const LinkLearningOptions& options) : options_(options) {}
+  explicit RouteGraph(const LinkLearningOptions& options)
+      : options_(options), hours_(options.half_life) {}
 
-  /// Takes the map as it is; costs wait for refresh().
+  /// Takes the map as it is, of whose links nothing is known at which hours they are open; costs
+  /// wait for refresh().
   void build(const PlaceMap& map);
+  /// A traversal of earlier than whatever follow() tells, the oldest first.
+  void remember(const Traversal& traversal) { hours_.note(traversal); }
   /// After the map has made the change.
   void follow(const MapChange& change, const PlaceMap& map);
   /// Costs as they are at `now`. All are computed anew once evidence has aged by more than a
-  /// percent or more than a 64th of the links have learned since; of others those that learned are.
+  /// percent or more than a 64th of the links have learned since, or another hour began where hours
+  /// count; of others those that learned are.
   void refresh(const PlaceMap& map, std::chrono::nanoseconds now);
 
   /// Of all vertices, also of places that are gone.
@@ -47,8 +53,10 @@ class RouteGraph {
   PlaceId idOf(Vertex vertex) const { return ids_[vertex]; }
   const Arcs& arcs(Vertex vertex) const { return arcs_[vertex]; }
 
-  double caution() const { return caution_; }
   const LinkLearningOptions& options() const { return options_; }
+  /// Of going along a link at `now` that is not forbidden, in [kLeastOdds, 1).
+  double odds(const PlaceLink& link, const LinkDirection& direction,
+              std::chrono::nanoseconds now) const;
   /// Least that the link can ever cost, either way, as its times are known now [s].
   double leastCost(const PlaceLink& link) const;
 
@@ -64,6 +72,7 @@ class RouteGraph {
   double costOf(const PlaceLink& link, const LinkDirection& direction) const;
 
   LinkLearningOptions options_;
+  LinkHours hours_;
   std::unordered_map<PlaceId, Vertex> vertices_;
   std::vector<PlaceId> ids_;
   std::vector<Arcs> arcs_;

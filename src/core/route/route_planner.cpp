@@ -35,6 +35,10 @@ RoutePlanner::RoutePlanner(const PlaceMap& map, const LinkLearningOptions& optio
   graph_.build(map_);
 }
 
+void RoutePlanner::remember(const std::vector<Traversal>& traversals) {
+  for (const Traversal& traversal : traversals) graph_.remember(traversal);
+}
+
 void RoutePlanner::follow(const MapChange& change) {
   graph_.follow(change, map_);
   landmarks_.follow(change, graph_, map_);
@@ -43,7 +47,7 @@ void RoutePlanner::follow(const MapChange& change) {
 double RoutePlanner::odds(const PlaceLink& link, const LinkDirection& direction,
                           std::chrono::nanoseconds now) const {
   if (direction.forbidden) return 0.0;
-  return oddsThrough(direction, wasDriven(link), graph_.caution(), now, graph_.options().half_life);
+  return graph_.odds(link, direction, now);
 }
 
 std::optional<RoutePlanner::Way> RoutePlanner::search(PlaceId from, PlaceId to,

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "core/route/landmarks.h"
 #include "core/route/route_graph.h"
@@ -27,6 +28,8 @@ class RoutePlanner {
   /// `map` has to outlive the planner. Throws std::invalid_argument naming an option out of range.
   RoutePlanner(const PlaceMap& map, const LinkLearningOptions& options);
 
+  /// What links learned of hours before: the map's own traversals, the oldest first.
+  void remember(const std::vector<Traversal>& traversals);
   /// Right after the map has made the change.
   void follow(const MapChange& change);
 

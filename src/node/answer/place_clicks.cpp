@@ -11,9 +11,13 @@
 namespace place_memory::node {
 
 PlaceClicks::PlaceClicks(const ros::NodeHandle& private_node, core::PlaceMemory& memory,
-                         AnswerPublisher& answers, Belief belief,
+                         AnswerPublisher& answers, Belief belief, Judge judge,
                          const config::Parameters& parameters)
-    : memory_(memory), answers_(answers), belief_(std::move(belief)), parameters_(parameters) {
+    : memory_(memory),
+      answers_(answers),
+      belief_(std::move(belief)),
+      judge_(std::move(judge)),
+      parameters_(parameters) {
   ros::NodeHandle node(private_node);
   if (parameters_.markers.clickable == 0) return;
   route_ = node.advertise<nav_msgs::Path>(kRouteTopic, 1, true);
@@ -25,6 +29,9 @@ void PlaceClicks::choose(core::PlaceId id, PlaceEntry entry) {
       return answers_.showPlace(id);
     case PlaceEntry::kRoute:
       return showRoute(id);
+    case PlaceEntry::kConfirm:
+    case PlaceEntry::kCut:
+      return judge_(id, entry == PlaceEntry::kConfirm);
     case PlaceEntry::kRename:
       return;
   }

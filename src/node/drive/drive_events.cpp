@@ -57,7 +57,9 @@ DriveEvent DriveEvents::eventOf(const core::MapperEvent& event) const {
       break;
     case Kind::kTakenBack:
       told.kind = MapEvent::TAKEN_BACK;
-      told.sentence = "a closure was taken back: the robot did not find there what it should see";
+      told.sentence =
+          "a closure was taken back: the robot did not find there what it should see, or a person "
+          "cut it";
       break;
     case Kind::kLost:
       told.kind = MapEvent::LOST;

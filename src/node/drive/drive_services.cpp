@@ -8,6 +8,7 @@
 #include <exception>
 #include <optional>
 
+#include "node/drive/closure_words.h"
 #include "node/drive/drive_publisher.h"
 #include "node/input/planar.h"
 #include "node/input/transform_filter.h"
@@ -57,6 +58,12 @@ DriveServices::DriveServices(const ros::NodeHandle& names, const ros::NodeHandle
         return true;
       };
   servers_.push_back(own.advertiseService(kRelocalizeService, relocalize));
+  const boost::function<bool(JudgeClosure::Request&, JudgeClosure::Response&)> judge_closure =
+      [this](JudgeClosure::Request& request, JudgeClosure::Response& response) {
+        onJudgeClosure(request, response);
+        return true;
+      };
+  servers_.push_back(own.advertiseService(kJudgeClosureService, judge_closure));
   initialpose_ = relative.subscribe(kInitialPoseTopic, 1, &DriveServices::onInitialPose, this);
 }
 
@@ -124,6 +131,43 @@ void DriveServices::onRelocalize(Relocalize::Response& response) {
     }
   } catch (const std::exception& error) {
     response.status = Relocalize::Response::FAILED;
+    response.message = error.what();
+  }
+}
+
+void DriveServices::judge(core::PlaceId place, bool confirm, JudgeClosure::Response& response) {
+  const auto word = driver_.judgeClosure(place, confirm);
+  if (!word) {
+    response.status = JudgeClosure::Response::OFF;
+    response.message = "the mode is off: call ~set_mode with map or localize first";
+    return;
+  }
+  const ClosureReply reply = replyTo(*word, confirm);
+  response.status = reply.status;
+  response.message = reply.message;
+}
+
+void DriveServices::onJudgeClosure(const JudgeClosure::Request& request,
+                                   JudgeClosure::Response& response) {
+  try {
+    const auto place = request.id != 0 ? memory_.place(request.id) : memory_.place(request.label);
+    if (request.action > JudgeClosure::Request::CUT) {
+      response.status = JudgeClosure::Response::INVALID;
+      response.message = "action must be LIST, CONFIRM or CUT";
+    } else if (request.action != JudgeClosure::Request::LIST && !place) {
+      response.status = JudgeClosure::Response::UNKNOWN_PLACE;
+      response.message = "there is no such place: ~list_places tells which there are";
+    } else if (request.action != JudgeClosure::Request::LIST) {
+      judge(place->id, request.action == JudgeClosure::Request::CONFIRM, response);
+    }
+    for (const core::ClosureQuestion& question : driver_.closureQuestions()) {
+      response.waiting.push_back(toMessage(question, memory_));
+    }
+    if (request.action == JudgeClosure::Request::LIST) {
+      response.message = std::to_string(response.waiting.size()) + " candidates of closures wait";
+    }
+  } catch (const std::exception& error) {
+    response.status = JudgeClosure::Response::FAILED;
     response.message = error.what();
   }
 }

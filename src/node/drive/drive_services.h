@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_NODE_DRIVE_DRIVE_SERVICES_H
 
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <place_memory/JudgeClosure.h>
 #include <place_memory/Relocalize.h>
 #include <place_memory/SetMode.h>
 #include <ros/message_event.h>
@@ -20,7 +21,8 @@
 
 namespace place_memory::node {
 
-/// What a drive is told by others: ~set_mode, ~relocalize and initialpose, on a thread of its own.
+/// What a drive is told by others: ~set_mode, ~relocalize, ~judge_closure and initialpose, on a
+/// thread of its own.
 class DriveServices {
  public:
   /// All must outlive it.
@@ -40,6 +42,8 @@ class DriveServices {
   SetMode::Response setMode(config::Mode mode);
   void onSetMode(const SetMode::Request& request, SetMode::Response& response);
   void onRelocalize(Relocalize::Response& response);
+  void onJudgeClosure(const JudgeClosure::Request& request, JudgeClosure::Response& response);
+  void judge(core::PlaceId place, bool confirm, JudgeClosure::Response& response);
   void onInitialPose(const ros::MessageEvent<InitialPose const>& event);
   std::string problemOf(const InitialPose& message) const;
 

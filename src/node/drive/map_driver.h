@@ -79,6 +79,11 @@ class MapDriver {
   /// has not been heard yet.
   bool setPose(const core::Pose2d& map_from_base);
 
+  /// Where scans that agree say that the robot is, too few of them yet; none while the mode is off.
+  std::vector<core::ClosureQuestion> closureQuestions() const;
+  /// A person says that the robot is there, or is not. Nothing: the mode is off.
+  std::optional<core::ClosureWord> judgeClosure(core::PlaceId place, bool confirm);
+
   /// The transform map_frame -> odom_frame; nothing while it is not known, or the mode is off.
   std::optional<core::Pose2d> mapFromOdom() const;
   /// After the newest scan; nothing: there was none, or the mode is off.

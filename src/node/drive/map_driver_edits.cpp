@@ -98,6 +98,22 @@ void MapDriver::change(const std::function<void()>& work) {
   if (run_) beginAnew();
 }
 
+std::vector<core::ClosureQuestion> MapDriver::closureQuestions() const {
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
+  return run_ ? run_->mapper.closureQuestions() : std::vector<core::ClosureQuestion>();
+}
+
+std::optional<core::ClosureWord> MapDriver::judgeClosure(core::PlaceId place, bool confirm) {
+  const std::lock_guard<support::TurnMutex> lock(mutex_);
+  if (!run_) return std::nullopt;
+  core::Mapper& mapper = run_->mapper;
+  const core::ClosureWord word = confirm ? mapper.confirmClosure(place) : mapper.cutClosure(place);
+  if (word == core::ClosureWord::kNoQuestion) return word;
+  changed_ = true;
+  if (run_->to_mapper.newest()) onStep(*run_->to_mapper.newest(), false);
+  return word;
+}
+
 void MapDriver::beginAnew() {
   const bool makes_map = mode() == config::Mode::kMap;
   std::string problem;

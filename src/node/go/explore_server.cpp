@@ -8,6 +8,7 @@
 
 #include "node/base/ros_time.h"
 #include "node/drive/drive_publisher.h"
+#include "node/go/go_goal.h"
 #include "node/names/node_names.h"
 
 namespace place_memory::node {
@@ -90,17 +91,12 @@ bool ExploreServer::mayBegin(const ExploreGoal& goal, ExploreResult& result) con
   if (!ros::Time::isValid()) {
     result.status = Result::NO_TIME;
     result.message = "use_sim_time is set, but no time has come on /clock yet";
-  } else if (!std::isfinite(goal.most_distance) || goal.most_distance < 0.0) {
-    result.status = Result::INVALID_GOAL;
-    result.message = "most_distance must be a finite number of metres, or 0 for no bound";
-  } else if (mode != config::Mode::kMap) {
+  } else if (isTaken(goal, result) && mode != config::Mode::kMap) {
     result.status = Result::WRONG_MODE;
     result.message = std::string("the mode is ") + nameOf(mode) +
                      ", and exploring makes a map: call ~set_mode with map first";
-  } else {
-    return true;
   }
-  return false;
+  return result.message.empty();
 }
 
 void ExploreServer::onGoal(const GoalHandle& goal) {

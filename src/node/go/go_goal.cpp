@@ -1,5 +1,9 @@
 #include "node/go/go_goal.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "node/input/transform_filter.h"
 #include "support/text.h"
 
 namespace place_memory::node {
@@ -17,12 +21,21 @@ std::optional<core::RouteEnd> readGoal(const GoToPlaceGoal& goal, const core::Pl
   }
   const std::string frame = support::withoutLeadingSlashes(goal.pose.header.frame_id);
   const core::Pose2d pose{goal.pose.pose.position.x, goal.pose.pose.position.y, 0.0};
-  if (pose.isFinite() && (frame.empty() || frame == map_frame)) {
+  const bool is_near = std::max(std::abs(pose.x), std::abs(pose.y)) <= kFarthest;  // not for NaN
+  if (pose.isFinite() && is_near && (frame.empty() || frame == map_frame)) {
     return core::RouteEnd{core::kNoPlace, "", pose};
   }
   result.status = GoToPlaceResult::INVALID_GOAL;
-  result.message = "pose must be finite, and in the frame \"" + map_frame + "\"";
+  result.message = "pose must be finite and on this earth, and in the frame \"" + map_frame + "\"";
   return std::nullopt;
+}
+
+bool isTaken(const ExploreGoal& goal, ExploreResult& result) {
+  // Written so that NaN fails.
+  if (goal.most_distance >= 0.0 && std::isfinite(goal.most_distance)) return true;
+  result.status = ExploreResult::INVALID_GOAL;
+  result.message = "most_distance must be a finite number of metres, or 0 for no bound";
+  return false;
 }
 
 }  // namespace place_memory::node

@@ -6,7 +6,8 @@
 namespace place_memory::node {
 namespace {
 
-constexpr double kHair = 1e-3;  // share of max_range
+constexpr double kHair = 1e-3;    // share of max_range
+constexpr double kBeyond = 1e-2;  // likewise: nothing hears so little farther than it can
 constexpr double kFloatMax = 0.99 * static_cast<double>(std::numeric_limits<float>::max());
 
 constexpr int kRepeated = 3;
@@ -21,7 +22,7 @@ bool isMinusOne(double range) { return std::abs(range + 1.0) <= kHair; }
 }  // namespace
 
 bool isMaxRange(double range, double max_range) {
-  return std::abs(range - max_range) <= kHair * max_range;
+  return range >= (1.0 - kHair) * max_range && range <= (1.0 + kBeyond) * max_range;
 }
 
 std::optional<std::string> EchoDialect::noEcho(std::chrono::nanoseconds stamp, double range,

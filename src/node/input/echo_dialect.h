@@ -16,11 +16,11 @@ namespace place_memory::node {
 class EchoDialect {
  public:
   /// Whether the sensor's next range is such a word; then what kind of value it is, as "max_range".
-  /// max_range within a hair, FLT_MAX, -1 and 0 with min_range 0 count at once; another negative
-  /// value once the sensor has repeated it; one beyond max_range likewise, but only where echoes
-  /// came, too; a value at the top of what the sensor ever said once it came back several times,
-  /// and nothing came near it. A range whose stamp is not newer than all before says nothing of the
-  /// sensor: a bag may be read twice.
+  /// max_range within a hair, or up to a hundredth more, FLT_MAX, -1 and 0 with min_range 0 count
+  /// at once; another negative value once the sensor has repeated it; one beyond max_range
+  /// likewise, but only where echoes came, too; a value at the top of what the sensor ever said
+  /// once it came back several times, and nothing came near it. A range whose stamp is not newer
+  /// than all before says nothing of the sensor: a bag may be read twice.
   std::optional<std::string> noEcho(std::chrono::nanoseconds stamp, double range,
                                     const core::SonarSpec& spec,
                                     const config::NoEchoOptions& options);
@@ -45,7 +45,8 @@ class EchoDialect {
   bool at_top_ = false;
 };
 
-/// Whether a range is max_range, but for the rounding of floats and a driver's last digit.
+/// Whether a range is max_range, but for the rounding of floats and a driver's last digit, or one
+/// that a driver clamps to just beyond it.
 bool isMaxRange(double range, double max_range);
 
 }  // namespace place_memory::node

@@ -98,8 +98,7 @@ void LaserAdapter::measure(const sensor_msgs::LaserScan& scan, std::size_t first
       reading.no_echo = NoEchoWord{range, *no_echo};
       range = std::numeric_limits<double>::infinity();
     }
-    const CheckedRange checked =
-        checkRange(measurement.spec, range, parameters_->scan.over_range_is_no_echo);
+    const CheckedRange checked = checkRange(measurement.spec, range, parameters_->scan);
     if (checked.reject) {
       if (!heard && !reading.reject) reading.reject = checked.reject;
       continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 #include <sstream>
+#include <stdexcept>
 
 #include "node/input/frame_name.h"
 
@@ -20,6 +21,12 @@ std::string inWords(const NoEchoWord& word, const std::string& name) {
   return text.str();
 }
 
+const char* parameterOf(InputRole role) {
+  return role == InputRole::kSonar     ? "sonar_topics"
+         : role == InputRole::kHeading ? "heading_topic"
+                                       : "odom_topic";
+}
+
 // Of a range outside the limits that comes again and again, and is left out.
 std::string repeatedInWords(double range, const core::Measurement& measurement,
                             const std::string& name) {
@@ -31,8 +38,10 @@ std::string repeatedInWords(double range, const core::Measurement& measurement,
        << " m, and is left out: if that is its driver's word for no echo, ";
   if (range < 0.0) {
     text << "sonar/zero_is_no_echo: true takes it as that";
+  } else if (range == 0.0) {
+    text << "scan/zero_range_is_no_echo: true takes it as that; if not, is the sensor covered?";
   } else if (is_below) {
-    text << "let it say +inf, or give it the min_range 0; if not, is the sensor covered?";
+    text << "let it say +inf; if not, is the sensor covered?";
   } else {
     text << "scan/over_range_is_no_echo: true takes it as that; if not, are its ranges in metres?";
   }
@@ -57,10 +66,7 @@ std::vector<std::string> typesOf(InputRole role) {
 std::string wrongType(const std::string& topic, InputRole role, const std::string& type) {
   const std::vector<std::string> types = typesOf(role);
   if (std::find(types.begin(), types.end(), type) != types.end()) return {};
-  const char* const parameter = role == InputRole::kSonar     ? "sonar_topics"
-                                : role == InputRole::kHeading ? "heading_topic"
-                                                              : "odom_topic";
-  return "the topic " + topic + " (" + parameter + ") carries " + type + ", needed is " +
+  return "the topic " + topic + " (" + parameterOf(role) + ") carries " + type + ", needed is " +
          boost::algorithm::join(types, " or ");
 }
 
@@ -79,7 +85,14 @@ MessageIntake::MessageIntake(const config::Parameters& parameters,
     lasers_.emplace(topic, LaserAdapter(topic, parameters, registry));
   }
   const auto add = [&](const std::string& name, InputRole role) {
-    if (!name.empty()) topics_.emplace(resolve(name), role);
+    if (name.empty()) return;
+    const auto [known, is_new] = topics_.emplace(resolve(name), role);
+    if (is_new) return;
+    throw std::invalid_argument(std::string(parameterOf(role)) + " and " +
+                                parameterOf(known->second) + " are the same topic, " +
+                                known->first +
+                                ": it carries one of the two; see to the other's "
+                                "name, or to what it is remapped to");
   };
   add(parameters.heading_topic, InputRole::kHeading);
   add(parameters.odom_topic, InputRole::kOdometry);
@@ -121,6 +134,7 @@ void MessageIntake::takeSonar(const std::string& topic, const InputMessage& mess
   if (const auto* range = std::get_if<sensor_msgs::Range::ConstPtr>(&message.content)) {
     taken.readings = {ranges_.at(topic).adapt(**range)};
     watchFrame(topic, taken.readings.front().measurement.frame, taken);
+    watchSharing(topic, **range, taken.readings.front().measurement, taken);
   } else if (const auto* cloud = std::get_if<sensor_msgs::PointCloud::ConstPtr>(&message.content)) {
     taken.readings = clouds_.at(topic).adapt(**cloud);
   } else if (const auto* cloud2 =
@@ -209,6 +223,20 @@ void MessageIntake::watchFrame(const std::string& topic, const std::string& fram
        "sensors on " + first + " and " + topic + " have the same frame " + frame +
            ": their readings are taken as from one spot; give each sensor a frame of its own, and "
            "publish on tf where it is mounted",
+       taken);
+}
+
+void MessageIntake::watchSharing(const std::string& topic, const sensor_msgs::Range& message,
+                                 const core::Measurement& measurement, Taken& taken) {
+  // Both are said elsewhere.
+  if (measurement.frame.empty() || message.header.stamp.isZero()) return;
+  const auto stamp = std::chrono::nanoseconds(message.header.stamp.toNSec());
+  if (!shared_.note(measurement.sensor, stamp, message.range)) return;
+  once("frame shared on " + topic + " " + measurement.frame,
+       "several readings of one stamp come on " + topic + " with the one frame " +
+           measurement.frame +
+           ", as from several sensors: they are taken as from one spot; give each sensor a frame "
+           "of its own, and publish on tf where it is mounted",
        taken);
 }
 

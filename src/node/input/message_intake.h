@@ -20,6 +20,7 @@
 #include "node/input/laser_adapter.h"
 #include "node/input/range_adapter.h"
 #include "node/input/sensor_registry.h"
+#include "node/input/shared_frame_watch.h"
 #include "node/input/unit_watch.h"
 
 namespace place_memory::node {
@@ -51,7 +52,8 @@ struct Taken {
 /// and their order alone. Never throws for what a message holds. Not thread-safe.
 class MessageIntake {
  public:
-  /// Both must outlive it. `resolve` makes of a parameter's topic what take() will be given.
+  /// Both must outlive it. `resolve` makes of a parameter's topic what take() will be given. Throws
+  /// std::invalid_argument where one topic is to carry sonar, headings or odometry at once.
   MessageIntake(const config::Parameters& parameters,
                 const std::function<std::string(const std::string&)>& resolve,
                 SensorRegistry& registry);
@@ -72,6 +74,8 @@ class MessageIntake {
                    const tf2::BufferCore& transforms, Taken& taken);
   void takeOdometry(const std::string& topic, const nav_msgs::Odometry& message, Taken& taken);
   void watchFrame(const std::string& topic, const std::string& frame, Taken& taken);
+  void watchSharing(const std::string& topic, const sensor_msgs::Range& message,
+                    const core::Measurement& measurement, Taken& taken);
   void watchUnits(AdaptedReading& reading, Taken& taken);
   void once(const std::string& input, const std::string& sentence, Taken& taken);
 
@@ -82,6 +86,7 @@ class MessageIntake {
   std::map<std::string, CloudAdapter> clouds_;
   std::map<std::string, LaserAdapter> lasers_;
   HeadingAdapter heading_;
+  SharedFrameWatch shared_;
   UnitWatch units_;
   std::map<std::string, std::string> wrong_types_;     // by topic
   std::map<std::string, std::string> topic_of_frame_;  // bounded by the registry's sensors

@@ -32,7 +32,7 @@ AdaptedReading RangeAdapter::adapt(const sensor_msgs::Range& message) {
       adapted.no_echo = NoEchoWord{range, *no_echo};
       range = std::numeric_limits<double>::infinity();
     }
-    const CheckedRange checked = checkRange(spec, range, parameters_->scan.over_range_is_no_echo);
+    const CheckedRange checked = checkRange(spec, range, parameters_->scan);
     adapted.reject = checked.reject;
     if (checked.reject && dialect.repeatedOutside() == range) adapted.repeated = range;
     measurement.spec = checked.reject ? spec : checked.spec;

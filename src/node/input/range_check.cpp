@@ -41,7 +41,8 @@ std::optional<std::string> checkSpec(const core::SonarSpec& spec) {
   return problem.str();
 }
 
-CheckedRange checkRange(const core::SonarSpec& spec, double range, bool over_range_is_no_echo) {
+CheckedRange checkRange(const core::SonarSpec& spec, double range,
+                        const config::ScanOptions& scan) {
   constexpr double kNoEcho = std::numeric_limits<double>::infinity();
   CheckedRange checked;
   checked.range = range;
@@ -55,9 +56,13 @@ CheckedRange checkRange(const core::SonarSpec& spec, double range, bool over_ran
     checked.spec.min_range = 0.0;
     return checked;
   }
+  if (range == 0.0 && spec.min_range > 0.0 && scan.zero_range_is_no_echo) {
+    checked.range = kNoEcho;
+    return checked;
+  }
   if (range < spec.min_range) return rejected(Reject::kBelowMinRange);
   if (range > spec.max_range && range != kNoEcho) {
-    if (!over_range_is_no_echo) return rejected(Reject::kAboveMaxRange);
+    if (!scan.over_range_is_no_echo) return rejected(Reject::kAboveMaxRange);
     checked.range = kNoEcho;
   }
   return checked;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "config/parameters.h"
 #include "node/input/reject.h"
 #include "place_memory/core/sonar_reading.h"
 
@@ -19,9 +20,8 @@ struct CheckedRange {
   double range = 0.0;  ///< as SonarReading::range
 };
 
-/// REP 117, for a sensor whose limits make sense. `over_range_is_no_echo`: a finite range beyond
-/// max_range is taken for no echo.
-CheckedRange checkRange(const core::SonarSpec& spec, double range, bool over_range_is_no_echo);
+/// REP 117, for a sensor whose limits make sense; but what `scan` says is no echo is taken for it.
+CheckedRange checkRange(const core::SonarSpec& spec, double range, const config::ScanOptions& scan);
 
 }  // namespace place_memory::node
 

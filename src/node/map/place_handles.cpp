@@ -4,6 +4,7 @@
 #include <visualization_msgs/InteractiveMarkerControl.h>
 #include <visualization_msgs/MenuEntry.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <utility>
@@ -38,7 +39,7 @@ std::string handleName(core::PlaceId id) { return kPlaceHandle + std::to_string(
 }  // namespace
 
 visualization_msgs::InteractiveMarker toHandle(const core::Place& place,
-                                               const std::string& map_frame) {
+                                               const std::string& map_frame, bool is_asked) {
   visualization_msgs::InteractiveMarker handle;
   handle.header.frame_id = map_frame;
   handle.name = handleName(place.id);
@@ -51,13 +52,17 @@ visualization_msgs::InteractiveMarker toHandle(const core::Place& place,
   handle.menu_entries = {makeEntry(PlaceEntry::kRecall, "Recall its grid"),
                          makeEntry(PlaceEntry::kRoute, "Plan a route to it"),
                          makeEntry(PlaceEntry::kRename, "Rename it in the panel")};
+  if (is_asked) {
+    handle.menu_entries.push_back(makeEntry(PlaceEntry::kConfirm, "The robot is here"));
+    handle.menu_entries.push_back(makeEntry(PlaceEntry::kCut, "The robot is not here"));
+  }
   Marker disc;
   disc.type = Marker::CYLINDER;
   disc.scale.x = kDiameter;
   disc.scale.y = kDiameter;
   disc.scale.z = kHeight;
   disc.pose.orientation.w = 1.0;
-  disc.color = toColor(kPlaceColor, kAlpha);
+  disc.color = toColor(is_asked ? kLikelyColor : kPlaceColor, kAlpha);
   InteractiveMarkerControl control;
   control.name = "choose";
   control.interaction_mode = InteractiveMarkerControl::BUTTON;
@@ -70,32 +75,48 @@ visualization_msgs::InteractiveMarker toHandle(const core::Place& place,
 
 bool PlaceHandles::Shown::operator==(const Shown& other) const {
   return label == other.label && map_from_place.x == other.map_from_place.x &&
-         map_from_place.y == other.map_from_place.y;
+         map_from_place.y == other.map_from_place.y && is_asked == other.is_asked;
 }
 
 PlaceHandles::PlaceHandles(const ros::NodeHandle& private_node, const core::PlaceMemory& memory,
                            std::size_t count, const std::string& map_frame, OnChoice on_choice)
     : memory_(memory), count_(count), map_frame_(map_frame), on_choice_(std::move(on_choice)) {
   // With a thread of its own: what a click asks for waits for the disk.
-  if (count_ > 0) server_.emplace(private_node.resolveName(kPlaceHandlesTopic), "", true);
+  if (count_ == 0) return;
+  server_ = std::make_unique<interactive_markers::InteractiveMarkerServer>(
+      private_node.resolveName(kPlaceHandlesTopic), "", true);
 }
 
-void PlaceHandles::follow(const std::optional<core::Pose2d>& map_from_robot) {
+void PlaceHandles::follow(const std::optional<core::Pose2d>& map_from_robot,
+                          const std::set<core::PlaceId>& asked) {
   if (!server_) return;
   const core::Pose2d robot = map_from_robot.value_or(around_);
   const bool has_gone = std::hypot(robot.x - around_.x, robot.y - around_.y) >= kStep;
-  if (version_ == memory_.version() && !has_gone) return;
+  if (version_ == memory_.version() && !has_gone && asked == asked_) return;
+  asked_ = asked;
   show(memory_.map(), robot);
+}
+
+/// The nearest, and those that are asked for, which may lie far from where the robot is thought to
+/// be.
+std::vector<const core::Place*> PlaceHandles::shownOf(const core::MapSnapshot& map,
+                                                      const core::Pose2d& map_from_robot) const {
+  std::vector<const core::Place*> shown = nearestPlaces(map.places, map_from_robot, count_);
+  for (const core::Place& place : map.places) {
+    const bool is_shown = std::find(shown.begin(), shown.end(), &place) != shown.end();
+    if (asked_.count(place.id) > 0 && !is_shown) shown.push_back(&place);
+  }
+  return shown;
 }
 
 void PlaceHandles::show(const core::MapSnapshot& map, const core::Pose2d& map_from_robot) {
   std::map<core::PlaceId, Shown> wanted;
-  for (const core::Place* place : nearestPlaces(map.places, map_from_robot, count_)) {
-    const Shown shown{place->label, place->map_from_place};
+  for (const core::Place* place : shownOf(map, map_from_robot)) {
+    const Shown shown{place->label, place->map_from_place, asked_.count(place->id) > 0};
     wanted.emplace(place->id, shown);
     const auto before = shown_.find(place->id);
     if (before != shown_.end() && before->second == shown) continue;
-    server_->insert(toHandle(*place, map_frame_),
+    server_->insert(toHandle(*place, map_frame_, shown.is_asked),
                     [this](const visualization_msgs::InteractiveMarkerFeedbackConstPtr& feedback) {
                       onFeedback(*feedback);
                     });

@@ -56,12 +56,16 @@ constexpr char kSetLinkService[] = "set_link";
 constexpr char kMakePlanService[] = "make_plan";
 constexpr char kSetModeService[] = "set_mode";
 constexpr char kRelocalizeService[] = "relocalize";
+constexpr char kJudgeClosureService[] = "judge_closure";
 
 /// What a person may choose of the menu of a place in ~place_handles: entries of its menu.
 enum class PlaceEntry : std::uint32_t {
   kRecall = 1,  ///< its grid; a click does that too
   kRoute = 2,   ///< to it
   kRename = 3,  ///< in the panel
+  // Of a place where scans say that the robot may be:
+  kConfirm = 4,  ///< it is there
+  kCut = 5,      ///< it is not
 };
 
 /// Handles of places are named so, and their id.

@@ -14,6 +14,9 @@ namespace {
 constexpr std::chrono::nanoseconds kFirstSensor = std::chrono::seconds(2);
 constexpr std::chrono::nanoseconds kAllSensors = std::chrono::seconds(1);
 
+// A robot is not kept turning for readings of which none could be used so far.
+constexpr std::chrono::nanoseconds kNothingUsed = std::chrono::seconds(5);
+
 constexpr double kLongest = 3600.0;  // [s]
 
 }  // namespace
@@ -85,7 +88,12 @@ Sweep::Step Sweep::turn(std::chrono::nanoseconds now) {
   if (turner_->base().fault()) return {std::nullopt, disobeyed()};
   if (phase_ == ScanPhase::kToFirst && turner_->started()) {
     collector_.begin(now, request_.headings, request_.step);
+    swept_from_ = now;
     phase_ = ScanPhase::kSweeping;
+  }
+  if (phase_ == ScanPhase::kSweeping && collector_.readings() == 0 &&
+      now - swept_from_ > kNothingUsed) {
+    return {std::nullopt, collector_.outcome(now)};
   }
   if (phase_ == ScanPhase::kSweeping && turner_->swept()) {
     collector_.close();

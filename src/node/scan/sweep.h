@@ -73,6 +73,7 @@ class Sweep {
   std::string plan_;
   ScanPhase phase_ = ScanPhase::kWaitingForTime;
   std::chrono::nanoseconds started_{0};
+  std::chrono::nanoseconds swept_from_{0};  // the first heading, where the robot is turned
   std::optional<core::ListeningEnd> listening_;
   std::optional<core::SweepTurner> turner_;
   bool listened_ = true;

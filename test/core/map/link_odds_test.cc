@@ -39,6 +39,18 @@ TEST(LinkOdds, RiseWithWhatSucceedsAndFallWithWhatFails) {
   EXPECT_EQ(direction.last, seconds(100));
 }
 
+TEST(LinkOdds, TimesFurtherApartThanNanosecondsCountAreTimesAllTheSame) {
+  LinkDirection direction;
+  direction.last = nanoseconds::min();
+  direction.blocked = 3.0;
+  direction = learned(direction, {1, 2, nanoseconds::min(), nanoseconds::max(), true, ""},
+                      kExpected, kHalfLife);
+  EXPECT_EQ(direction.blocked, 0.0);
+  EXPECT_EQ(direction.through, 1.0);
+  EXPECT_EQ(direction.time, 0.0) << "so long nobody drove";
+  EXPECT_EQ(weightLeft(nanoseconds::max(), nanoseconds::min(), kHalfLife), 1.0);
+}
+
 TEST(LinkOdds, DriftBackToThePriorByHalvesAndNeverGetToZero) {
   LinkDirection direction;
   for (int i = 0; i < 1000; ++i) {

@@ -50,13 +50,33 @@ TEST(ClosureCandidates, ScansThatAgreeOverThreeMetresAreEnough) {
 TEST(ClosureCandidates, OnePlaceSeenAgainAndAgainIsNoWayThroughTheBuilding) {
   Drive drive;
   for (int i = 0; i < 40; ++i) {
-    Sighting seen = drive.shifted(5.0, 1.0, 0.9);
+    Sighting seen = drive.shifted(3.0, 1.0, 0.9);
     seen.place = 7;
     drive.scan({seen}, kEverywhere);
   }
   EXPECT_EQ(drive.candidates.accepted(kPlaces), nullptr);
   // A map that has no more cannot show more.
   EXPECT_NE(drive.candidates.accepted(1), nullptr);
+}
+
+TEST(ClosureCandidates, AMapOfAFewPlacesMovesNoRobotFar) {
+  const auto scanTwoPlaces = [](Drive& drive) {
+    for (int i = 0; i < 40; ++i) {
+      Sighting seen = drive.shifted(9.0, 0.0, 0.9);
+      seen.place = 7 + i / 20;
+      drive.scan({seen}, kEverywhere);
+    }
+  };
+  Drive drive;
+  scanTwoPlaces(drive);
+  EXPECT_EQ(drive.candidates.accepted(2), nullptr);
+  // One that may be anywhere is asked for no more.
+  ClosureOptions options;
+  options.farther = 0.0;
+  Drive anywhere;
+  anywhere.candidates = ClosureCandidates(options);
+  scanTwoPlaces(anywhere);
+  EXPECT_NE(anywhere.candidates.accepted(2), nullptr);
 }
 
 TEST(ClosureCandidates, TheFartherItMovesTheRobotTheMorePlacesItTakes) {
@@ -122,6 +142,47 @@ TEST(ClosureCandidates, WithoutFurtherWitnessesOneIsDropped) {
   EXPECT_FALSE(drive.candidates.empty());
   for (int i = 0; i < 10; ++i) drive.scan({}, kNowhere);
   EXPECT_TRUE(drive.candidates.empty());
+}
+
+TEST(ClosureCandidates, NothingComesOfOneThatAPersonCut) {
+  Drive drive;
+  for (int i = 0; i < 3; ++i) drive.scan({drive.shifted(5.0, 1.0, 0.9)}, kEverywhere);
+  const PlaceId seen = drive.candidates.foremost()->witnesses.back().place;
+  EXPECT_FALSE(drive.candidates.cut(4711));
+  EXPECT_TRUE(drive.candidates.cut(seen));
+  EXPECT_FALSE(drive.candidates.cut(seen));
+  EXPECT_TRUE(drive.candidates.empty());
+  EXPECT_EQ(drive.candidates.at(seen), nullptr);
+  for (int i = 0; i < 20; ++i) {
+    drive.scan({drive.shifted(5.0, 1.0, 0.9)}, kEverywhere);
+    EXPECT_EQ(drive.candidates.foremost(), nullptr) << i;
+    EXPECT_EQ(drive.candidates.accepted(kPlaces), nullptr) << i;
+  }
+}
+
+TEST(ClosureCandidates, AnotherOneGoesOnBesideOneThatWasCut) {
+  Drive drive;
+  for (int i = 0; i < 3; ++i) {
+    drive.scan({drive.shifted(5.0, 0.0, 0.9), drive.shifted(9.0, 0.0, 0.9)}, kNowhere);
+  }
+  ASSERT_TRUE(drive.candidates.cut(drive.candidates.foremost()->witnesses.back().place));
+  ASSERT_NE(drive.candidates.foremost(), nullptr);
+  const double other = drive.candidates.foremost()->target_from_estimate.x;
+  while (!drive.candidates.accepted(kPlaces) && drive.node < 20) {
+    drive.scan({drive.shifted(5.0, 0.0, 0.9), drive.shifted(9.0, 0.0, 0.9)}, kNowhere);
+  }
+  // No more as good as each other: one of them is known to be wrong.
+  ASSERT_NE(drive.candidates.accepted(kPlaces), nullptr);
+  EXPECT_NEAR(drive.candidates.accepted(kPlaces)->target_from_estimate.x, other, 0.01);
+}
+
+TEST(ClosureCandidates, OneThatWasCutIsForgottenOnceScansNoMoreSaySo) {
+  Drive drive;
+  for (int i = 0; i < 3; ++i) drive.scan({drive.shifted(5.0, 1.0, 0.9)}, kNowhere);
+  ASSERT_TRUE(drive.candidates.cut(drive.candidates.foremost()->witnesses.back().place));
+  for (int i = 0; i < 10; ++i) drive.scan({}, kNowhere);
+  drive.scan({drive.shifted(5.0, 1.0, 0.9)}, kNowhere);
+  EXPECT_NE(drive.candidates.foremost(), nullptr);
 }
 
 TEST(ClosureCandidates, FollowsOdometryThatDrifts) {

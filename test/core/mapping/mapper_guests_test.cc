@@ -101,5 +101,67 @@ TEST(MapperGuests, WhereAPersonSaysTheRobotIsItIsAtOnce) {
   EXPECT_EQ(decisions[0].place, 1);
 }
 
+/// A robot that starts anew, near a place that is known, of which two scans say so.
+class MapperQuestions : public testing::Test {
+ protected:
+  MapperQuestions() {
+    Mapper before{MapperOptions()};
+    scanAt(before, 100, {}, {});
+    before.adopt(1, nanoseconds(100));
+    mapper_.restore(before.map());
+    mapper_.takeDecisions();
+    scanOn(0.1);
+    EXPECT_TRUE(mapper_.closureQuestions().empty());
+    scanOn(0.2);
+  }
+
+  void scanOn(double x) {
+    scanAt(mapper_, stamp_ += 100, {5.0 + x, 5.0, 0.0}, {x, 0.0, 0.0});
+    odom_ = {5.0 + x, 5.0, 0.0};
+    room_ = {x, 0.0, 0.0};
+  }
+
+  Mapper mapper_{MapperOptions()};
+  int stamp_ = 1000;
+  Pose2d odom_, room_;
+};
+
+TEST_F(MapperQuestions, APersonIsAskedOnceTwoScansAgree) {
+  const std::vector<ClosureQuestion> questions = mapper_.closureQuestions();
+  ASSERT_EQ(questions.size(), 1U);
+  EXPECT_EQ(questions[0].place, 1);
+  EXPECT_EQ(questions[0].scans, 2U);
+  EXPECT_NE(questions[0].evidence.find("2 scans"), std::string::npos);
+  EXPECT_FALSE(mapper_.mapFromOdom());
+  EXPECT_EQ(mapper_.confirmClosure(2), ClosureWord::kNoQuestion);
+  EXPECT_EQ(mapper_.cutClosure(2), ClosureWord::kNoQuestion);
+}
+
+TEST_F(MapperQuestions, WhatAPersonConfirmsJoinsTheMap) {
+  EXPECT_EQ(mapper_.confirmClosure(1), ClosureWord::kDone);
+  ASSERT_TRUE(mapper_.mapFromOdom());
+  expectNear(*mapper_.mapFromOdom() * odom_, room_, 0.15);
+  const std::vector<MapperEvent> events = mapper_.takeEvents();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].kind, MapperEvent::Kind::kJoined);
+  EXPECT_EQ(events[0].witnesses, std::vector<PlaceId>{1});
+  EXPECT_TRUE(mapper_.closureQuestions().empty());
+  EXPECT_EQ(mapper_.confirmClosure(1), ClosureWord::kNoQuestion);
+
+  // And is taken back where a person says that it was wrong.
+  EXPECT_EQ(mapper_.cutClosure(1), ClosureWord::kDone);
+  EXPECT_FALSE(mapper_.mapFromOdom());
+  EXPECT_EQ(mapper_.takeEvents().size(), 1U);
+}
+
+TEST_F(MapperQuestions, NothingComesOfWhatAPersonCuts) {
+  EXPECT_EQ(mapper_.cutClosure(1), ClosureWord::kDone);
+  EXPECT_TRUE(mapper_.closureQuestions().empty());
+  for (int i = 3; i < 30; ++i) scanOn(0.02 * i);
+  EXPECT_TRUE(mapper_.closureQuestions().empty());
+  EXPECT_FALSE(mapper_.mapFromOdom());
+  EXPECT_TRUE(mapper_.takeEvents().empty());
+}
+
 }  // namespace
 }  // namespace place_memory::core

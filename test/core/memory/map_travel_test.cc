@@ -86,6 +86,18 @@ TEST_F(MapTravelTest, ASavedMapIsLoadedByAnotherRobot) {
   EXPECT_EQ(robot.map().places.front().label, "gone");
 }
 
+TEST_F(MapTravelTest, SessionsAreCountedOneByOneHoweverOftenAMapIsSavedAndLoaded) {
+  learnOurs();
+  const std::string path = folder_.file("saved.db");
+  for (SessionId loads = 1; loads <= 40; ++loads) {
+    memory_.save(path);
+    EXPECT_EQ(memory_.load(path), 4U);
+    const SessionId session = place("our 1").session;
+    EXPECT_LE(session, 1 + loads);
+    EXPECT_EQ(place("our 4").session, session);
+  }
+}
+
 TEST_F(MapTravelTest, WhatIsNoStoreIsRefused) {
   for (const std::string& path : {folder_.file("none.db"), folder_.path().string()}) {
     for (const bool merges : {false, true}) {

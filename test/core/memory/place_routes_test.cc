@@ -32,7 +32,7 @@ class PlaceRoutesTest : public testing::Test {
     options.store_path = folder_.file("places.db");
     options.recognizer.calibration.right = {-20.0, 0.0, 0.0, 0.0, 30.0};
     options.recognizer.calibration.known = {-20.0};
-    options.clock = [] { return seconds(2000); };
+    options.clock = [this] { return now_; };
     return options;
   }
 
@@ -67,6 +67,7 @@ class PlaceRoutesTest : public testing::Test {
   }
 
   const TemporaryFolder folder_;
+  std::chrono::nanoseconds now_ = seconds(2000);
   std::unique_ptr<PlaceMemory> memory_;
 };
 
@@ -119,6 +120,14 @@ TEST_F(PlaceRoutesTest, DrivingTeachesTheLinksHowLongTheyTake) {
   EXPECT_EQ(history[2], (Traversal{3, 2, seconds(1035), seconds(1055), true, "scans"}));
 }
 
+TEST_F(PlaceRoutesTest, AWayThatWasReportedIsNotCountedAgainByTheScanAtItsEnd) {
+  memory_->reportTraversal({3, 2, seconds(1040), seconds(1050), true, "goal"});
+  memory_->recognize(scanAt(2, 2.0, 1055), kHeadingWindow);
+  EXPECT_EQ(memory_->map().links.back().backward.succeeded, 1U);
+  memory_->recognize(scanAt(3, 4.0, 1075), kHeadingWindow);
+  EXPECT_EQ(memory_->map().links.back().forward.succeeded, 2U) << "the next way counts as before";
+}
+
 TEST_F(PlaceRoutesTest, WhatIsReportedIsLearnedAndKept) {
   const double before = memory_->linkOdds(1, 2).second;
   const Traversal failed{2, 1, seconds(1100), seconds(1130), false, "teleop"};
@@ -131,6 +140,27 @@ TEST_F(PlaceRoutesTest, WhatIsReportedIsLearnedAndKept) {
   const PlaceMemory again(options());
   EXPECT_EQ(again.map().links.front(), link);
   EXPECT_EQ(again.traversals().back(), failed);
+}
+
+TEST_F(PlaceRoutesTest, HoursAtWhichADoorIsOpenAreKnownAfterARestart) {
+  for (int day = 1; day <= 12; ++day) {
+    for (const int hour : {8, 10, 14, 16}) {
+      const std::chrono::nanoseconds time = std::chrono::hours(24 * day + hour);
+      now_ = time;
+      memory_->reportTraversal({2, 3, time, time, hour < 12, "test"});
+    }
+  }
+  const auto oddsAt = [this](int hour) {
+    now_ = std::chrono::hours(24 * 13 + hour);
+    return memory_->linkOdds(2, 3).first;
+  };
+  const double morning = oddsAt(9), afternoon = oddsAt(15);
+  EXPECT_GT(morning, 0.8);
+  EXPECT_LT(afternoon, 0.3);
+  memory_.reset();
+  memory_ = std::make_unique<PlaceMemory>(options());
+  EXPECT_NEAR(oddsAt(9), morning, 1e-9);
+  EXPECT_NEAR(oddsAt(15), afternoon, 1e-9);
 }
 
 TEST_F(PlaceRoutesTest, WhatCannotBeIsRefused) {

@@ -12,6 +12,8 @@ import tempfile
 import unittest
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
+sys.path.insert(0, os.path.join(ROOT, "scripts"))
+import benchmark_results  # noqa: E402
 TOOL = sys.argv.pop(1)
 
 
@@ -83,6 +85,20 @@ class Smoke(unittest.TestCase):
         self.assertEqual(answer.returncode, 0, answer.stderr)
         with open(store, "rb") as file:
             self.assertTrue(file.read(16).startswith(b"SQLite format 3"))
+
+
+class Names(unittest.TestCase):
+    def test_leave_out_how_a_benchmark_was_run(self):
+        rows = [{"run_type": "iteration", "run_name": name, "real_time": 2.0, "cpu_time": 1.0,
+                 "time_unit": "ms"}
+                for name in ("belief/1000/real_time", "drive/compass/iterations:1/real_time",
+                             "grid/repeats:9/process_time/real_time", "evaluation/one")]
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            json.dump({"context": {}, "benchmarks": rows}, file)
+            file.flush()
+            results = benchmark_results.Results(file.name)
+        self.assertEqual(results.names(""),
+                         ["belief/1000", "drive/compass", "grid", "evaluation/one"])
 
 
 class WrongArguments(unittest.TestCase):

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "config/load_parameters.h"
 #include "sim/scene/world_loader.h"
@@ -132,6 +133,27 @@ TEST_P(MapperDrive, ALaterSessionJoinsTheMap) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Compass, MapperDrive, testing::Bool());
+
+TEST(Mapper, AtAPersonsWordTheRobotIsWhereTooFewScansSaySo) {
+  Mapper mapper(options());
+  std::optional<ClosureQuestion> asked;
+  for (std::size_t i = 0; i < officeDrive().size() && !asked; ++i) {
+    drive(mapper, officeDrive(), false, i, i + 1);
+    if (!mapper.closureQuestions().empty()) asked = mapper.closureQuestions().front();
+  }
+  ASSERT_TRUE(asked);
+  EXPECT_LT(asked->scans, options().closure.witnesses);
+  mapper.takeEvents();
+  EXPECT_EQ(mapper.confirmClosure(asked->place), ClosureWord::kDone);
+  const std::vector<MapperEvent> events = mapper.takeEvents();
+  ASSERT_FALSE(events.empty());
+  const MapperEvent& newest = events.back();  // before it the way may have been parted
+  EXPECT_TRUE(newest.kind == MapperEvent::Kind::kClosed ||
+              newest.kind == MapperEvent::Kind::kJoined);
+  EXPECT_EQ(std::count(newest.witnesses.begin(), newest.witnesses.end(), asked->place), 1);
+  EXPECT_TRUE(mapper.mapFromOdom());
+  EXPECT_TRUE(mapper.closureQuestions().empty());
+}
 
 TEST(Mapper, TheSameDataGivesTheSameMap) {
   Mapper one(options()), other(options());

@@ -27,12 +27,13 @@ bool lastIsNoEcho(const std::vector<double>& ranges, const core::SonarSpec& spec
 config::NoEchoOptions strict() { return {false, false}; }
 
 TEST(EchoDialect, TheVeryFirstMaxRangeIsNoEcho) {
-  for (const double range : {4.0, 3.9999998, 4.0000002, 3.997, 4.003, 3.4028234663852886e38}) {
+  for (const double range :
+       {4.0, 3.9999998, 4.0000002, 3.997, 4.003, 4.03, 3.4028234663852886e38}) {
     EXPECT_TRUE(lastIsNoEcho({range})) << range;
     EXPECT_FALSE(lastIsNoEcho({range}, kSpec, strict())) << range;
   }
   EXPECT_FALSE(lastIsNoEcho({3.99}));
-  EXPECT_FALSE(lastIsNoEcho({4.01}));
+  EXPECT_FALSE(lastIsNoEcho({4.05}));
 }
 
 TEST(EchoDialect, ZeroIsNoEchoWhereNothingIsTooClose) {
@@ -60,7 +61,7 @@ TEST(EchoDialect, AnotherNegativeValueMustRepeat) {
 }
 
 TEST(EchoDialect, AValueBeyondMaxRangeMustRepeatWhileEchoesCome) {
-  for (const double word : {4.01, 8.19, 65.535, 8190.0}) {
+  for (const double word : {4.1, 8.19, 65.535, 8190.0}) {
     EXPECT_FALSE(lastIsNoEcho({1.0, word, 1.2, word})) << word;
     EXPECT_TRUE(lastIsNoEcho({1.0, word, 1.2, word, 1.1, word})) << word;
     EXPECT_FALSE(lastIsNoEcho({word, word, word, word, word})) << "no echo ever came: " << word;

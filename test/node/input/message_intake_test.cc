@@ -4,6 +4,7 @@
 #include <std_msgs/String.h>
 
 #include <limits>
+#include <stdexcept>
 
 #include "node/input/raw_message.h"
 
@@ -132,7 +133,8 @@ TEST_F(MessageIntakeTest, AValueOutsideTheLimitsThatIsSaidAgainAndAgainIsNamed) 
   };
   expectProblem(repeated("far", 65.535F), {"far says 65.535 m", "scan/over_range_is_no_echo"});
   expectProblem(repeated("mm", 8190.0F), {"mm says 8190 m", "scan/over_range_is_no_echo"});
-  expectProblem(repeated("zero", 0.0F), {"zero says 0 m", "min_range"});
+  expectProblem(repeated("zero", 0.0F), {"zero says 0 m", "scan/zero_range_is_no_echo"});
+  expectProblem(repeated("near", 0.05F), {"near says 0.05 m", "covered"});
   parameters_.no_echo.zero = false;
   expectProblem(repeated("minus", -1.0F), {"minus says -1 m", "sonar/zero_is_no_echo"});
 }
@@ -144,16 +146,64 @@ TEST_F(MessageIntakeTest, FramesThatSensorsShareAreNamedOnce) {
   expectProblem(say("/left", rangeOf("/base_link", 1.0F)), {"/left", "frame of the robot itself"});
 }
 
+TEST_F(MessageIntakeTest, ARingWithOneFrameOnOneTopicIsNamedOnce) {
+  std::vector<std::string> sentences;
+  for (int sweep = 0; sweep < 3; ++sweep) {
+    for (int sensor = 0; sensor < 16; ++sensor) {
+      sensor_msgs::Range message = rangeOf("sonar", 1.0F + 0.1F * static_cast<float>(sensor));
+      message.header.stamp += ros::Duration(0.1 * sweep);
+      for (const auto& problem : say("/left", message).problems) {
+        sentences.push_back(problem.sentence);
+      }
+    }
+  }
+  ASSERT_EQ(sentences.size(), 1U);
+  for (const char* const word : {"/left", "one frame sonar", "a frame of its own"}) {
+    EXPECT_NE(sentences[0].find(word), std::string::npos) << sentences[0];
+  }
+}
+
+TEST_F(MessageIntakeTest, OneSensorWithoutStampsIsNotTakenForSeveral) {
+  for (int times = 0; times < 20; ++times) {
+    sensor_msgs::Range message = rangeOf("sonar", 1.0F + 0.1F * static_cast<float>(times));
+    message.header.stamp = ros::Time();
+    EXPECT_TRUE(say("/left", message).problems.empty()) << times;
+  }
+}
+
+TEST_F(MessageIntakeTest, AMessageThatComesTwiceIsNoSecondSensor) {
+  for (int times = 0; times < 40; ++times) {
+    sensor_msgs::Range message = rangeOf("sonar", 1.0F + 0.1F * static_cast<float>(times / 2));
+    message.header.stamp += ros::Duration(0.1 * (times / 2));
+    EXPECT_TRUE(say("/left", message).problems.empty()) << times;
+  }
+}
+
+TEST_F(MessageIntakeTest, OneTopicForTwoThingsIsRefused) {
+  parameters_.heading_topic = "left";
+  try {
+    say("/left", rangeOf("a", 1.0F));
+    FAIL() << "nothing was thrown";
+  } catch (const std::invalid_argument& error) {
+    for (const char* const word : {"sonar_topics", "heading_topic", "/left"}) {
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST_F(MessageIntakeTest, UnitsThatAreNotMetresAreNamed) {
   expectProblem(say("/left", rangeOf("cm", 120.0F, 400.0F)), {"cm", "max_range of 400", "metres"});
+  const auto sayOf = [&](const std::string& frame, float range) {
+    sensor_msgs::Range message = rangeOf(frame, range, 90.0F);
+    message.header.stamp += ros::Duration(static_cast<double>(range));
+    return say("/right", message);
+  };
   Taken taken;
-  for (float range = 50.0F; range < 70.0F; range += 1.0F) {
-    taken = say("/right", rangeOf("far", range, 90.0F));
-  }
+  for (float range = 50.0F; range < 70.0F; range += 1.0F) taken = sayOf("far", range);
   expectProblem(taken, {"every range of far", "beyond the grid"});
-  say("/right", rangeOf("near", 2.0F, 90.0F));
+  sayOf("near", 2.0F);
   for (float range = 50.0F; range < 80.0F; range += 1.0F) {
-    EXPECT_TRUE(say("/right", rangeOf("near", range, 90.0F)).problems.empty());
+    EXPECT_TRUE(sayOf("near", range).problems.empty()) << range;
   }
 }
 

@@ -53,6 +53,17 @@ TEST(RangeAdapter, ARejectedMeasurementStillSaysWhoseItIs) {
   EXPECT_EQ(reading.measurement.stamp, std::chrono::seconds(10));
 }
 
+TEST(RangeAdapter, ZeroBelowMinRangeIsWhatTheParameterSays) {
+  SensorRegistry registry;
+  config::Parameters parameters;
+  RangeAdapter adapter("/sonar", parameters, registry);
+  EXPECT_EQ(adapter.adapt(message(0.0F)).reject, Reject::kBelowMinRange);
+  parameters.scan.zero_range_is_no_echo = true;
+  EXPECT_FALSE(adapter.adapt(message(0.0F)).reject);
+  EXPECT_EQ(adapter.adapt(message(0.0F)).measurement.range, kInf);
+  EXPECT_EQ(adapter.adapt(message(0.1F)).reject, Reject::kBelowMinRange);
+}
+
 TEST(RangeAdapter, TakesAnEchoWithinTheLimits) {
   for (const float range : {0.15F, 1.0F, 4.49F}) {
     const AdaptedReading checked = adapt(message(range), false);
@@ -90,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(RangeAdapter, BadRange,
                                          Bad{"below min", 0.149F, Reject::kBelowMinRange},
                                          Bad{"zero", 0.0F, Reject::kBelowMinRange},
                                          Bad{"negative", -0.5F, Reject::kBelowMinRange},
-                                         Bad{"above max", 4.51F, Reject::kAboveMaxRange},
+                                         Bad{"above max", 4.6F, Reject::kAboveMaxRange},
                                          Bad{"far above max", 1e30F, Reject::kAboveMaxRange}));
 
 TEST(RangeAdapter, OverRangeMayBeTakenForNoEcho) {

@@ -19,7 +19,7 @@ core::Place makePlace(core::PlaceId id, double x, double y) {
 }
 
 TEST(PlaceHandles, LiesOnThePlaceInTheMapFrame) {
-  const auto handle = toHandle(makePlace(7, 2.0, -3.0), "map");
+  const auto handle = toHandle(makePlace(7, 2.0, -3.0), "map", false);
   EXPECT_EQ(handle.name, "place 7");
   EXPECT_EQ(handle.description, "room 7");
   EXPECT_EQ(handle.header.frame_id, "map");
@@ -29,9 +29,18 @@ TEST(PlaceHandles, LiesOnThePlaceInTheMapFrame) {
 }
 
 TEST(PlaceHandles, NobodyCanDragAPlace) {
-  for (const auto& control : toHandle(makePlace(7, 2.0, -3.0), "map").controls) {
+  for (const auto& control : toHandle(makePlace(7, 2.0, -3.0), "map", false).controls) {
     EXPECT_EQ(control.interaction_mode, visualization_msgs::InteractiveMarkerControl::BUTTON);
   }
+}
+
+TEST(PlaceHandles, AsksWhetherTheRobotIsThereWhereScansSaySo) {
+  const auto handle = toHandle(makePlace(7, 2.0, -3.0), "map", true);
+  ASSERT_EQ(handle.menu_entries.size(), 5U);
+  EXPECT_EQ(handle.menu_entries[3].id, static_cast<std::uint32_t>(PlaceEntry::kConfirm));
+  EXPECT_EQ(handle.menu_entries[4].id, static_cast<std::uint32_t>(PlaceEntry::kCut));
+  const auto other = toHandle(makePlace(7, 2.0, -3.0), "map", false);
+  EXPECT_NE(handle.controls[0].markers[0].color.r, other.controls[0].markers[0].color.r);
 }
 
 TEST(NearestPlaces, AreTheNearestOnesFirst) {

@@ -36,7 +36,7 @@ class SweepTest : public ScanCollectorTest {
       robot_.yaw += gain_ * rate_ * kTick;
       if (has_odometry_) odometry(now_, robot_);
       heading(now_, compass_gain_ * robot_.yaw);
-      for (int k = 0; k < kSensors; ++k) range(now_, k, 1.0);
+      for (int k = 0; k < kSensors; ++k) range(now_, k, heard_);
       process(now_);
       const Sweep::Step step = sweep.update(toNanoseconds(now_));
       phases_.insert(sweep.phase());
@@ -52,6 +52,7 @@ class SweepTest : public ScanCollectorTest {
   double gain_ = 1.0;          // of the base
   double compass_gain_ = 1.0;  // of the compass
   bool has_odometry_ = true;
+  double heard_ = 1.0;  // by each sensor [m]
   std::set<ScanPhase> phases_;
 };
 
@@ -71,6 +72,15 @@ TEST_F(SweepTest, TurnsToTheFirstHeadingFromHeadingToHeadingAndBack) {
   EXPECT_EQ(phases_,
             (std::set<ScanPhase>{ScanPhase::kToFirst, ScanPhase::kSweeping, ScanPhase::kBack}));
   EXPECT_NEAR(robot_.yaw, 0.0, 0.02);
+}
+
+TEST_F(SweepTest, DoesNotGoOnTurningForReadingsThatCannotBeUsed) {
+  heard_ = std::numeric_limits<double>::quiet_NaN();
+  Sweep sweep = sweepOf(config::Turn::kCmdVel);
+  const auto outcome = run(sweep, 15.0);
+  ASSERT_TRUE(outcome) << "it would turn until its timeout";
+  EXPECT_EQ(outcome->status, ScanStatus::kTooFewReadings);
+  EXPECT_NE(outcome->message.find("NaN"), std::string::npos) << outcome->message;
 }
 
 TEST_F(SweepTest, ListensWhileSomethingElseTurnsTheRobot) {
