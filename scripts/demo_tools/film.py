@@ -4,11 +4,24 @@ from typing import Optional
 
 from PIL import Image
 
-from demo_tools.scene import Scene
+from demo_tools.scene import INKS, Scene
 
 FRAME_TIME = 90   # of the animation [ms]
 LAST_TIME = 3000  # of the frame it ends with [ms]
-COLOURS = 48
+GREYS = 24
+TINTS = (1.0, 0.75, 0.5, 0.25)  # of each ink, on white
+
+
+def palette_of(inks):
+    """An image of PIL that has greys, and the inks in several tints."""
+    colours = [[round(255 * grey / (GREYS - 1))] * 3 for grey in range(GREYS)]
+    for ink in inks:
+        parts = [int(ink[at:at + 2], 16) for at in (1, 3, 5)]
+        colours += [[round(255 - tint * (255 - part)) for part in parts] for tint in TINTS]
+    colours += [colours[0]] * (256 - len(colours))
+    image = Image.new("P", (1, 1))
+    image.putpalette(sum(colours, []))
+    return image
 
 
 @dataclass
@@ -71,7 +84,7 @@ class Film:
             scene.show(moment)
             frames.append(scene.frame())
         # One palette for all, so that what stays is the same in each frame, and costs nothing.
-        palette = frames[-1].quantize(COLOURS)
+        palette = palette_of(INKS)
         frames = [frame.quantize(palette=palette, dither=Image.NONE) for frame in frames]
         times = [FRAME_TIME] * (len(frames) - 1) + [LAST_TIME]
         frames[0].save(animation, save_all=True, append_images=frames[1:], duration=times, loop=0)

@@ -17,6 +17,7 @@ NOSE = 0.6                # [m]
 
 WALL, WAY, ROBOT, LOST = "#191e3c", "#7baaf7", "#e8710a", "#9334e6"
 PLACE, BARRED, GOAL = "#1a5fc0", "#c5221f", "#137333"
+INKS = (WALL, WAY, ROBOT, LOST, PLACE, BARRED, GOAL)
 EMPTY, UNKNOWN, OCCUPIED = 1.0, 0.80, 0.15
 
 
