@@ -267,8 +267,7 @@ class LiveSimTest(unittest.TestCase):
         self.start()
         for x in (3.0, float("nan"), 1e12):
             with self.subTest(x=x):
-                response = self.carry(x, 0.0, 0.0)
-                self.answered(response, response.BLOCKED)
+                self.answered(self.carry(x, 0.0, 0.0), CarryRobot._response_class.BLOCKED)
         self.assertEqual(self.truth().position.x, 0.0)
 
     # --- parameters ---

@@ -28,8 +28,7 @@ SERVICES = {
     "learn_place": srv.LearnPlace,
     "recognize_place": srv.RecognizePlace,
     "list_places": srv.ListPlaces,
-    "rename_place": srv.RenamePlace,
-    "remove_place": srv.RemovePlace,
+    "rename_place": srv.RenamePlace, "remove_place": srv.RemovePlace,
     "clear": srv.Clear,
     "get_graph": srv.GetGraph,
     "plan_route": srv.PlanRoute,
@@ -40,9 +39,7 @@ SERVICES = {
     "set_mode": srv.SetMode,
     "relocalize": srv.Relocalize,
     "judge_closure": srv.JudgeClosure,
-    "undo": srv.Undo,
-    "save": srv.Save,
-    "load": srv.Load,
+    "undo": srv.Undo, "save": srv.Save, "load": srv.Load,
 }
 
 
@@ -70,8 +67,7 @@ class Node:
             rospy.wait_for_service(self.name + "/" + name, PATIENCE)
 
     def call(self, service, **request):
-        proxy = rospy.ServiceProxy(self.name + "/" + service, SERVICES[service])
-        return proxy(**request)
+        return rospy.ServiceProxy(self.name + "/" + service, SERVICES[service])(**request)
 
     def latched(self, topic, message_type):
         """What a subscriber gets who comes now."""
