@@ -3,41 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "mapping/drive_table.h"
 #include "mapping/mapping_figures.h"
 #include "mapping/mapping_worlds.h"
 #include "mapping/suites.h"
 
 namespace place_memory::mapping {
 namespace {
-
-using experiments::fixed;
-
-const std::vector<std::string> kHeader{"world",      "sonars", "way",     "online",     "final",
-                                       "scale free", "places", "doubled", "false ties", "wrong",
-                                       "of",         "median", "99 %",    "revisits",   "ms by m"};
-
-std::string share(std::size_t part, std::size_t whole) {
-  return whole == 0 ? "" : fixed(static_cast<double>(part) / static_cast<double>(whole), 3);
-}
-
-std::vector<std::string> row(const std::string& world, const std::string& sonars,
-                             const MappingFigures& found) {
-  return {world,
-          sonars,
-          fixed(found.way, 0),
-          fixed(found.online, 3),
-          fixed(found.final, 3),
-          fixed(found.final_scale_free, 3),
-          std::to_string(found.places),
-          std::to_string(found.doubled),
-          std::to_string(found.false_ties),
-          std::to_string(found.wrong),
-          std::to_string(found.answers),
-          fixed(found.median(), 3),
-          fixed(found.p99(), 3),
-          share(found.known, found.again),
-          fixed(found.cpu, 1)};
-}
 
 /// Of the ring of sixteen.
 std::vector<int> ring(int step) {
@@ -62,14 +34,14 @@ MappingFigures mapped(const SuiteOptions& options, const sim::World& world, std:
 
 experiments::Table tableOf(const SuiteOptions& options,
                            const std::vector<std::pair<std::string, std::vector<int>>>& rings) {
-  experiments::Table table(kHeader);
+  experiments::Table table(driveHeader());
   for (const std::string& name : options.names) {
     for (int i = 0; i < options.seeds; ++i) {
       const std::uint64_t seed = options.first_seed + static_cast<std::uint64_t>(i);
       const sim::World world = mappingWorld(name, seed, options.worlds);
       for (const auto& [sonars, indices] : rings) {
-        table.add(
-            row(name + " " + std::to_string(seed), sonars, mapped(options, world, seed, indices)));
+        table.add(driveRow(name + " " + std::to_string(seed), sonars,
+                           mapped(options, world, seed, indices)));
       }
     }
   }

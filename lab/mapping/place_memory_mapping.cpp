@@ -16,9 +16,9 @@ namespace place_memory::mapping {
 
 const std::map<std::string, std::function<experiments::Table(const SuiteOptions&)>>& suites() {
   static const std::map<std::string, std::function<experiments::Table(const SuiteOptions&)>> kAll{
-      {"drives", driveSuite}, {"sonars", sonarSuite},     {"kidnaps", kidnapSuite},
-      {"starts", startSuite}, {"sessions", sessionSuite}, {"links", linkSuite},
-      {"soak", soakSuite},    {"fit_lost", lostFit}};
+      {"drives", driveSuite},   {"sonars", sonarSuite}, {"out_and_back", outAndBackSuite},
+      {"kidnaps", kidnapSuite}, {"starts", startSuite}, {"sessions", sessionSuite},
+      {"links", linkSuite},     {"soak", soakSuite},    {"fit_lost", lostFit}};
   return kAll;
 }
 
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   po::options_description options("usage: place_memory_mapping SUITE [options]");
   options.add_options()("help", "show this")(
       "suite", po::value<std::string>()->required(),
-      "drives, sonars, kidnaps, starts, sessions, links, soak or fit_lost")(
+      "drives, sonars, out_and_back, kidnaps, starts, sessions, links, soak or fit_lost")(
       "world", po::value<std::vector<std::string>>()->multitoken(),
       "those to drive about in: corridor, open_plan, laboratory, home, cells, half_turn, or a "
       "world file's name")("worlds", po::value(&suite.worlds)->default_value("config/worlds"),

@@ -33,6 +33,8 @@ trials::DriveRecipe recipeOf(const SuiteOptions& options);
 experiments::Table driveSuite(const SuiteOptions& options);
 /// The same with 8 and 4 sonars all around, and the forward nine.
 experiments::Table sonarSuite(const SuiteOptions& options);
+/// Corridors driven out and back with eight sonars that look ahead, raw odometry and no compass.
+experiments::Table outAndBackSuite(const SuiteOptions& options);
 /// A way through a world on which the robot is carried away again and again.
 trials::Drive carriedDrive(const SuiteOptions& options, const std::string& world,
                            std::uint64_t seed);
