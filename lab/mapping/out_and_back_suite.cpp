@@ -30,8 +30,8 @@ const std::vector<std::pair<std::string, std::vector<double>>> kFronts{
     {"8 Pioneer", {-90, -50, -30, -10, 10, 30, 50, 90}}};
 
 /// Raw wheels: what they err by, they err by all the way.
-trials::DriveRecipe rawOdometry(const SuiteOptions& options) {
-  trials::DriveRecipe recipe = recipeOf(options);
+trials::DriveRecipe rawOdometry() {
+  trials::DriveRecipe recipe;
   recipe.bend_sigma = 1.5 * kDegree;
   recipe.turn_factor_sigma = 0.05;
   recipe.compass_sigma = -1.0;
@@ -42,7 +42,7 @@ trials::DriveRecipe rawOdometry(const SuiteOptions& options) {
 
 experiments::Table outAndBackSuite(const SuiteOptions& options) {
   experiments::Table table(driveHeader());
-  const trials::DriveRecipe recipe = rawOdometry(options);
+  const trials::DriveRecipe recipe = rawOdometry();
   for (const std::string& name : options.names) {
     for (int i = 0; i < options.seeds; ++i) {
       const std::uint64_t seed = options.first_seed + static_cast<std::uint64_t>(i);

@@ -7,7 +7,7 @@
 namespace place_memory::trials {
 namespace {
 
-constexpr double kThere = 0.15;      // so near to a place it goes on to the next [m]
+constexpr double kThere = 0.08;      // so near to a place it goes on to the next [m]
 constexpr double kTurnRate = 0.6;    // [rad/s]
 constexpr double kPatience = 20.0;   // with what stands in the way [s]
 constexpr double kTurnsFirst = 0.5;  // off its course by more than this it turns on the spot [rad]

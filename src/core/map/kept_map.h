@@ -32,6 +32,11 @@ struct ScanNode {
   std::shared_ptr<const std::vector<SonarReading>> readings;  ///< in its frame
   PlaceId place = kNoPlace;                                   ///< that it is
   double laid_yaw = 0.0;  ///< heading in the map for which its grid was laid out [rad]
+  /// Middle of what its readings show, in its frame; yaw 0. It follows from the readings.
+  Pose2d seen;
+
+  /// Whether what it shows lies before it, not about it.
+  bool looksAhead() const { return seen.x != 0.0 || seen.y != 0.0; }
 };
 
 /// A node as it was matched to a place.

@@ -99,12 +99,12 @@ NodeIndex Mapper::append(const MovingScan& scan) {
 void Mapper::speakOfLoops(NodeIndex at, const MovingScan& scan, const View& view) {
   const double stretch = scan.last_way - scan.first_way;
   loops_.update(at, scan.middle.way, stretch, view.laid.map_from_base, view.loops,
-                placeNear(session_));
+                placeNear(session_, at));
   // Where it is tracked it was not carried, whatever looks like it elsewhere.
   if (view.tracked) carried_.clear();
   if (view.tracked || session_ != kMapSession) return;
   carried_.update(at, scan.middle.way, stretch, view.laid.map_from_base, view.beyond,
-                  placeNear(session_));
+                  placeNear(session_, at));
 }
 
 void Mapper::speakOfJoins(NodeIndex at, const MovingScan& scan, const View& view) {
@@ -115,7 +115,7 @@ void Mapper::speakOfJoins(NodeIndex at, const MovingScan& scan, const View& view
       map->recognize(view.laid.grid, node.compass ? headingWindow() : kPi);
   believe(at, fits, view.laid);
   joins_.update(at, scan.middle.way, scan.last_way - scan.first_way, node.pose,
-                tying_.sightings(fits, view.laid), placeNear(kMapSession));
+                tying_.sightings(fits, view.laid), placeNear(kMapSession, at));
 }
 
 void Mapper::growMap(NodeIndex at) {
@@ -144,7 +144,7 @@ void Mapper::process(const MovingScan& scan) {
   }
   // A compass holds the heading on new ground too.
   if (view.tracked || graph_.node(at).compass) graph_.relaxRecent(kWindow);
-  if (closer_.observe(view.tracked, placeNear(session_)(graph_.node(at).pose), way)) takeBack();
+  if (closer_.observe(view.tracked, placeNear(session_, at)(graph_.node(at).pose), way)) takeBack();
   speakOfJoins(at, scan, view);
   if (accepted(carried_, kMapSession)) partWays();
   if (closeLoops(way)) {
@@ -188,7 +188,9 @@ void Mapper::name(NodeIndex at, const View& view, ScanDecision& decision) const 
     if (lost() > 0.5) decision.kind = ScanDecision::Kind::kLost;
     return;
   }
-  WaySearch ways(graph_, at, kNamedWay);
+  // From the other side the places that it is tied to are those of as far beyond what it sees.
+  const double named_way = kNamedWay + 2.0 * std::hypot(node.seen.x, node.seen.y);
+  WaySearch ways(graph_, at, named_way);
   for (const PlaceShelf::Near& near : shelf_.near(node.pose, session_, kNamed, true)) {
     const NodeIndex place = shelf_.nodeOf(near.id);
     if (!ways.to(place)) continue;

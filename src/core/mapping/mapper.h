@@ -225,7 +225,7 @@ class Mapper {
   double headingWindow() const;
   std::vector<PlaceFit> recognizeAnyhow(const PlaceMatcher& places, const LaidScan& scan,
                                         const std::vector<PlaceFit>& fits) const;
-  std::function<bool(const Pose2d&)> placeNear(int session) const;
+  std::function<bool(const Pose2d&)> placeNear(int session, NodeIndex at) const;
   void sortOut(const std::vector<Sighting>& sightings, NodeIndex at, WaySearch& ways,
                View& view) const;
   const ClosureCandidate* accepted(const ClosureCandidates& candidates, int target) const;

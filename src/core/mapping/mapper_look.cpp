@@ -20,6 +20,7 @@ constexpr double kLongUntied = 5.0;  ///< way after which every heading is looke
 // free ones it costs no evidence.
 constexpr double kFreeSigmas = 1.5;
 constexpr double kFarthestSigmas = 4.5;
+constexpr double kOneSide = 60.0 * kDegree;
 
 }  // namespace
 
@@ -66,15 +67,24 @@ double Mapper::mostSigma(NodeIndex at) const {
 
 Mapper::View Mapper::look(NodeIndex at, const MovingScan& scan) {
   View view{tying_.lay(at, graph_.node(at).pose)};
-  view.at_place = placeNear(session_)(view.laid.map_from_base);
-  view.agreement = newest_.agree(at, scan.first_newest);
+  view.at_place = placeNear(session_, at)(view.laid.map_from_base);
+  if (view.at_place || !graph_.node(at).looksAhead()) {
+    view.agreement = newest_.agree(at, scan.first_newest);
+  }
   lookForOwnSession(at, view);
   return view;
 }
 
-std::function<bool(const Pose2d&)> Mapper::placeNear(int session) const {
-  return [this, session](const Pose2d& pose) {
-    return !shelf_.near(pose, session, kAtPlace, true).empty();
+/// Of sonars that look ahead only places seen from the same side count: what they see from the
+/// other one may look different.
+std::function<bool(const Pose2d&)> Mapper::placeNear(int session, NodeIndex at) const {
+  return [this, session, at](const Pose2d& pose) {
+    const ScanNode& scan = graph_.node(at);
+    const auto near = shelf_.nearSeen(pose, scan.seen, session, kAtPlace);
+    return std::any_of(near.begin(), near.end(), [&](const PlaceShelf::Near& place) {
+      const double turn = pose.yaw - graph_.node(shelf_.nodeOf(place.id)).pose.yaw;
+      return !scan.looksAhead() || std::abs(wrapAngle(turn)) < kOneSide;
+    });
   };
 }
 

@@ -55,7 +55,7 @@ void Mapper::believe(NodeIndex at, const std::vector<PlaceFit>& fits, const Laid
   belief_.measure(matches, known, std::min(1.0, moved), map);
   believed_odom_ = node.odom_from_base;
   seen_ = std::make_shared<const EvidenceGrid>(scan.grid);
-  seen_from_base_ = {0.0, 0.0, scan.map_from_base.yaw};
+  seen_from_base_ = scan.grid_from_base;
 }
 
 BeliefSummary Mapper::belief() const {

@@ -35,7 +35,7 @@ void MovingScanBuilder::restart() {
   last_scan_ = -1e9;
 }
 
-double MovingScanBuilder::wantedLength() const {
+bool MovingScanBuilder::looksAhead() const {
   std::vector<double> bearings;
   for (const Station& station : stations_) {
     for (const SonarReading& reading : station.readings) {
@@ -47,7 +47,7 @@ double MovingScanBuilder::wantedLength() const {
   for (std::size_t i = 1; i < bearings.size(); ++i) {
     gap = std::max(gap, bearings[i] - bearings[i - 1]);
   }
-  return gap >= kLooksAhead ? options_.length_ahead : options_.length;
+  return gap >= kLooksAhead;
 }
 
 /// About the middle of the way, where the robot turns least: while it turns fast, clocks that
@@ -84,7 +84,8 @@ std::optional<MovingScan> MovingScanBuilder::take() {
     stations_.pop_front();
     looked_at_ = 0;
   }
-  const double wanted = wantedLength();
+  const bool ahead = looksAhead();
+  const double wanted = ahead ? options_.length_ahead : options_.length;
   std::size_t first = stations_.size();
   std::size_t count = 0;
   while (first > 0) {
@@ -108,8 +109,9 @@ std::optional<MovingScan> MovingScanBuilder::take() {
   auto readings = std::make_shared<std::vector<SonarReading>>();
   readings->reserve(count);
   // By the golden section, which falls into step with no rhythm in which sonars take turns.
-  const double share = std::min(1.0, static_cast<double>(options_.most) /
-                                         static_cast<double>(std::max<std::size_t>(count, 1)));
+  const std::size_t most = ahead ? options_.most_ahead : options_.most;
+  const double share = std::min(
+      1.0, static_cast<double>(most) / static_cast<double>(std::max<std::size_t>(count, 1)));
   double golden = 0.0;
   for (std::size_t i = first; i < stations_.size(); ++i) {
     const Pose2d middle_from_station = back * stations_[i].moment.reckoned;

@@ -14,12 +14,13 @@
 namespace place_memory::core {
 
 struct MovingScanOptions {
-  double spacing = 0.5;       ///< way from one scan to the next [m], > 0
-  double length = 3.0;        ///< way that a scan reaches back [m]
-  double length_ahead = 4.5;  ///< likewise where all sonars look ahead [m]
-  double longest = 6.0;       ///< it grows so far to have readings enough [m]
-  std::size_t readings = 90;  ///< that are enough
-  std::size_t most = 180;     ///< readings; of more than these some are left out, evenly
+  double spacing = 0.5;          ///< way from one scan to the next [m], > 0
+  double length = 3.0;           ///< way that a scan reaches back [m]
+  double length_ahead = 6.0;     ///< likewise where all sonars look ahead [m]
+  double longest = 6.0;          ///< it grows so far to have readings enough [m]
+  std::size_t readings = 90;     ///< that are enough
+  std::size_t most = 180;        ///< readings; of more than these some are left out, evenly
+  std::size_t most_ahead = 400;  ///< likewise where all sonars look ahead
 };
 
 /// Where the base is at one moment by odometry.
@@ -64,7 +65,7 @@ class MovingScanBuilder {
     std::vector<SonarReading> readings;
   };
 
-  double wantedLength() const;
+  bool looksAhead() const;
   std::size_t middleOf(std::size_t first) const;
 
   MovingScanOptions options_;

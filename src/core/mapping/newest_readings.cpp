@@ -62,7 +62,8 @@ std::optional<double> NewestReadings::agree(NodeIndex node, std::size_t first,
   const ScanNode& scan = graph_.node(node);
   if (last < first + kFewest) return std::nullopt;
   const Pose2d middle = scan.pose * (*scan.readings)[(first + last) / 2].sensor_pose;
-  const auto near = shelf_.near(middle, scan.session, kNear, true);
+  const Pose2d then{middle.x, middle.y, scan.pose.yaw};
+  const auto near = shelf_.nearSeen(then, scan.seen, scan.session, kNear);
   if (near.empty()) return std::nullopt;
   return agree(near.front().id,
                {scan.readings->begin() + static_cast<std::ptrdiff_t>(first),
@@ -74,7 +75,7 @@ std::optional<double> NewestReadings::agree(PlaceId place,
                                             const std::vector<SonarReading>& readings,
                                             const Pose2d& pose) const {
   const ScanNode& at = graph_.node(shelf_.nodeOf(place));
-  const Pose2d map_from_grid = at.pose * Pose2d{0.0, 0.0, -at.laid_yaw};
+  const Pose2d map_from_grid = at.pose * baseFromGrid(at, at.laid_yaw);
   const EvidenceGrid grid =
       sonar_.build(movedReadings(readings, map_from_grid.inverse() * pose), geometry_);
   return agreement(CellPlanes(grid), shelf_.matcher(at.session)->cells(place));

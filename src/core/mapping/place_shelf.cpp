@@ -11,8 +11,7 @@ namespace {
 constexpr double kBucket = 1.5;                  // [m]
 constexpr double kLaidAnew = 2.0 * kPi / 180.0;  // [rad]
 
-/// The grid's frame: at the base, its axes along the map's when it was laid out.
-Pose2d gridPose(const ScanNode& node) { return node.pose * Pose2d{0.0, 0.0, -node.laid_yaw}; }
+Pose2d gridPose(const ScanNode& node) { return node.pose * baseFromGrid(node, node.laid_yaw); }
 
 }  // namespace
 
@@ -22,7 +21,7 @@ PlaceId PlaceShelf::add(NodeIndex at, ScanGraph& graph, PlaceId wanted) {
   graph.node(at).place = id;
   node_of_[id] = at;
   const ScanNode& node = graph.node(at);
-  locators_.try_emplace(node.session, kBucket).first->second.put(id, node.pose);
+  put(id, node);
   unripe_.push_back(id);
   return id;
 }
@@ -31,6 +30,7 @@ void PlaceShelf::remove(PlaceId id, ScanGraph& graph) {
   ScanNode& node = graph.node(node_of_.at(id));
   node.place = kNoPlace;
   locators_.at(node.session).erase(id);
+  seen_.at(node.session).erase(id);
   const auto home = home_of_.find(id);
   if (home != home_of_.end()) {
     matchers_.at(home->second).erase(id);
@@ -43,8 +43,8 @@ void PlaceShelf::remove(PlaceId id, ScanGraph& graph) {
 void PlaceShelf::shelve(PlaceId id, ScanGraph& graph) {
   ScanNode& node = graph.node(node_of_.at(id));
   node.laid_yaw = node.pose.yaw;
-  const EvidenceGrid grid =
-      sonar_.build(movedReadings(*node.readings, {0.0, 0.0, node.laid_yaw}), geometry_);
+  const EvidenceGrid grid = sonar_.build(
+      movedReadings(*node.readings, baseFromGrid(node, node.laid_yaw).inverse()), geometry_);
   matchers_.try_emplace(node.session, options_).first->second.put(id, gridPose(node), grid);
   home_of_[id] = node.session;
 }
@@ -113,8 +113,19 @@ const PlaceMatcher* PlaceShelf::matcher(int session) const {
 
 std::vector<PlaceShelf::Near> PlaceShelf::near(const Pose2d& pose, int session, double radius,
                                                bool only_ripe) const {
-  const auto locator = locators_.find(session);
-  if (locator == locators_.end()) return {};
+  return near(locators_, pose, session, radius, only_ripe);
+}
+
+std::vector<PlaceShelf::Near> PlaceShelf::nearSeen(const Pose2d& pose, const Pose2d& seen,
+                                                   int session, double radius) const {
+  return near(seen_, pose * seen, session, radius, true);
+}
+
+std::vector<PlaceShelf::Near> PlaceShelf::near(const std::map<int, PlaceLocator>& locators,
+                                               const Pose2d& pose, int session, double radius,
+                                               bool only_ripe) const {
+  const auto locator = locators.find(session);
+  if (locator == locators.end()) return {};
   std::vector<Near> found = locator->second.near(pose, radius);
   if (only_ripe) {
     found.erase(std::remove_if(found.begin(), found.end(),
@@ -126,10 +137,15 @@ std::vector<PlaceShelf::Near> PlaceShelf::near(const Pose2d& pose, int session, 
 
 void PlaceShelf::locate(const ScanGraph& graph) {
   locators_.clear();
+  seen_.clear();
   for (const auto& [id, at] : node_of_) {
-    const ScanNode& node = graph.node(at);
-    locators_.try_emplace(node.session, kBucket).first->second.put(id, node.pose);
+    put(id, graph.node(at));
   }
+}
+
+void PlaceShelf::put(PlaceId id, const ScanNode& node) {
+  locators_.try_emplace(node.session, kBucket).first->second.put(id, node.pose);
+  seen_.try_emplace(node.session, kBucket).first->second.put(id, node.pose * node.seen);
 }
 
 }  // namespace place_memory::core

@@ -12,6 +12,12 @@
 
 namespace place_memory::core {
 
+/// The frame of a place's grid in that of the base: about the middle of what it shows, its axes
+/// along the map's when it was laid out.
+inline Pose2d baseFromGrid(const ScanNode& node, double laid_yaw) {
+  return node.seen * Pose2d{0.0, 0.0, -laid_yaw};
+}
+
 /// The nodes that are places, and their grids: by session, since places of different sessions lie
 /// in different frames.
 class PlaceShelf {
@@ -51,9 +57,16 @@ class PlaceShelf {
   using Near = PlaceLocator::Near;
   /// Places of a session within `radius` [m], nearest first.
   std::vector<Near> near(const Pose2d& pose, int session, double radius, bool only_ripe) const;
+  /// Ripe places the middle of which is so near to that of what is seen from `pose`, likewise.
+  /// `seen`: that middle, beside `pose`.
+  std::vector<Near> nearSeen(const Pose2d& pose, const Pose2d& seen, int session,
+                             double radius) const;
 
  private:
   void shelve(PlaceId id, ScanGraph& graph);
+  std::vector<Near> near(const std::map<int, PlaceLocator>& locators, const Pose2d& pose,
+                         int session, double radius, bool only_ripe) const;
+  void put(PlaceId id, const ScanNode& node);
   void locate(const ScanGraph& graph);
 
   RecognizerOptions options_;
@@ -65,6 +78,7 @@ class PlaceShelf {
   std::vector<PlaceId> unripe_;
   std::map<int, PlaceMatcher> matchers_;  ///< by session
   std::map<int, PlaceLocator> locators_;  ///< likewise, of all places
+  std::map<int, PlaceLocator> seen_;      ///< likewise, by the middles of what they show
 };
 
 }  // namespace place_memory::core

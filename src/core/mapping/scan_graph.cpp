@@ -5,6 +5,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/mapping/seen_middle.h"
+
 namespace place_memory::core {
 namespace {
 
@@ -39,11 +41,13 @@ double positionSigma(double way, bool compass) {
   return along + (compass ? std::min(turned, 0.3 * std::sqrt(way)) : turned);
 }
 
-NodeIndex ScanGraph::append(const ScanNode& node) {
-  nodes_.push_back(node);
+NodeIndex ScanGraph::append(ScanNode node) {
+  node.seen = node.readings ? seenMiddle(*node.readings) : Pose2d{};
+  nodes_.push_back(std::move(node));
   ties_of_.emplace_back();
   next_of_.emplace_back();
-  if (node.before) next_of_[*node.before].push_back(nodes_.size() - 1);
+  const std::optional<NodeIndex>& before = nodes_.back().before;
+  if (before) next_of_[*before].push_back(nodes_.size() - 1);
   return nodes_.size() - 1;
 }
 
@@ -55,6 +59,7 @@ void ScanGraph::assign(std::vector<ScanNode> nodes, std::vector<Tie> ties,
   ties_of_.assign(nodes_.size(), {});
   next_of_.assign(nodes_.size(), {});
   for (NodeIndex at = 0; at < nodes_.size(); ++at) {
+    if (nodes_[at].readings) nodes_[at].seen = seenMiddle(*nodes_[at].readings);
     if (nodes_[at].before) next_of_[*nodes_[at].before].push_back(at);
   }
   indexTies();

@@ -27,7 +27,7 @@ class ScanGraph {
   /// How well they are known: the closed loops tell.
   const OdometryErrors& errorSigmas() const { return error_sigmas_; }
 
-  NodeIndex append(const ScanNode& node);
+  NodeIndex append(ScanNode node);
   /// Takes the place of everything: as it was kept, or thinned. Indices are those in `nodes`.
   void assign(std::vector<ScanNode> nodes, std::vector<Tie> ties, const OdometryErrors& errors);
   /// Where odometry puts a node after the one before it, its errors taken out.

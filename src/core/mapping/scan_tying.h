@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_CORE_MAPPING_SCAN_TYING_H
 #define PLACE_MEMORY_CORE_MAPPING_SCAN_TYING_H
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -16,9 +17,11 @@ namespace place_memory::core {
 /// what should be there is worth no more than any other sighting. [m]
 constexpr double kTrackSigma = 1.0;
 
-/// A scan's grid, its axes along the map's, and where the robot is thought to have stood.
+/// A scan's grid, about the middle of what it shows and its axes along the map's, and where the
+/// robot is thought to have stood.
 struct LaidScan {
   EvidenceGrid grid;
+  Pose2d grid_from_base;
   Pose2d map_from_base;
   std::optional<double> compass;  ///< that it showed [rad]
 };
@@ -51,6 +54,15 @@ class ScanTying {
            int closure);
 
  private:
+  /// How well it is known where a place is [m].
+  using SigmaTo = std::function<double(PlaceId)>;
+
+  /// Where the robot is, if one of the sightings is where it is thought to be; as odometry has it,
+  /// or as a sighting does that is expected there.
+  std::optional<Pose2d> whereTracked(NodeIndex node, const LaidScan& scan,
+                                     const std::vector<Sighting>& seen, WaySearch& ways,
+                                     const SigmaTo& sigma_to, bool near_only) const;
+
   ScanGraph& graph_;
   PlaceShelf& shelf_;
   SonarModel sonar_;
