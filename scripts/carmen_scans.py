@@ -3,111 +3,39 @@
 
 usage: carmen_scans.py LOG OUT.jsonl.gz
 
-LOG is a CARMEN log, gzipped or not, whose FLASER lines carry poses that a SLAM system has corrected.
+LOG is a CARMEN log, gzipped or not; what nine sonars would have heard there is told in carmen_log.py.
 OUT gets a scan a line, as `--recorded` of place_memory_experiments takes them (trials/episode_file.h).
 
-Of a laser with a view of 180 degrees remain nine sonars, 22.5 degrees apart and as wide: each returns
-the shortest ray of its cone up to 15 feet, with 1 % noise, and loses one echo in a hundred. The robot
-takes eleven readings of each, two degrees apart, and a compass that errs by 10 degrees (1 sigma). A
-place is learned wherever none is within five feet; where the robot comes by one again, within 2.5 feet
+The robot takes eleven readings of each sonar, two degrees apart, and a compass that errs by 10 degrees
+(1 sigma). A place is learned wherever none is within five feet; where the robot comes by one again, within 2.5 feet
 and 45 degrees, its scan is to be recognized, and the way is noted that it took since it last did. The
 same log gives the same scans.
 """
 
-import gzip
-import json
 import math
 import random
 import sys
 
-FOOT = 0.3048  # [m]
+from carmen_log import (CONE, FOOT, MAX_RANGE, MIN_RANGE, distance, ranges, read, thinned, wrapped,
+                        write)
+
 PLACE_SPACING = 5.0 * FOOT
 NEAR = 2.5 * FOOT
 SAME_HEADING = math.radians(45.0)
 # So far must the robot have driven before a scan is a visit, and between two visits [m].
 FAR_FROM_LEARNING = 18.0 * FOOT
 VISIT_SPACING = 6.0 * FOOT
-# Logs have scans every few centimetres, or every metre: of dense ones some are left out.
-LEAST_STEP = 0.35  # [m]
-LEAST_TURN = 0.4  # [rad]
 
-CONE = math.radians(22.5)
-BEARINGS = [math.radians(22.5 * i) for i in range(-4, 5)]
-TURNS = [math.radians(2.0 * i) for i in range(-5, 6)]
 LEAST_COVER = 0.8  # of a cone within the laser's view
-MIN_RANGE, MAX_RANGE = 0.15, 15.0 * FOOT
-LEAST_RAY = 0.02  # shorter ones are the laser's faults [m]
-RANGE_NOISE, ECHOES_LOST = 0.01, 0.01
+TURNS = [math.radians(2.0 * i) for i in range(-5, 6)]
 COMPASS_ERROR = math.radians(10.0)
 CELL = 30.0 * FOOT / 64
 
 
-def wrapped(angle):
-    return (angle + math.pi) % (2.0 * math.pi) - math.pi
-
-
-def distance(a, b):
-    return math.hypot(a[0] - b[0], a[1] - b[1])
-
-
-def parsed(line):
-    """The pose and the rays of a FLASER line: `FLASER n range... x y yaw ...`, [m] and [rad]."""
-    words = line.split()
-    rays = int(words[1])
-    if rays < 2 or len(words) < 2 + rays + 3:
-        raise ValueError("is cut short")
-    numbers = [float(word) for word in words[2:2 + rays + 3]]
-    if not all(math.isfinite(number) for number in numbers):
-        raise ValueError("holds what is no number")
-    return numbers[rays:], numbers[:rays]
-
-
-def read(path):
-    opened = gzip.open if path.endswith(".gz") else open
-    scans = []
-    with opened(path, "rt", errors="replace") as log:
-        for number, line in enumerate(log, 1):
-            if not line.startswith("FLASER "):
-                continue
-            try:
-                scans.append(parsed(line))
-            except (ValueError, IndexError) as error:
-                raise ValueError(f"{path}:{number}: FLASER {error}") from error
-    if not scans:
-        raise ValueError(f"{path}: no FLASER line")
-    return scans
-
-
-def thinned(scans):
-    kept = scans[:1]
-    for scan in scans:
-        pose, last = scan[0], kept[-1][0]
-        if distance(pose, last) > LEAST_STEP or abs(wrapped(pose[2] - last[2])) > LEAST_TURN:
-            kept.append(scan)
-    return kept
-
-
 def readings(rays, rng):
     """[set, bearing, turn, range or null] of every cone that the laser sees enough of."""
-    # 181 rays are a degree apart from -90 to 90; 180 are so from -89.5 to 89.5.
-    odd = len(rays) % 2
-    step = math.pi / (len(rays) - odd)
-    first = -math.pi / 2.0 + (0.0 if odd else step / 2.0)
-    result = []
-    for sweep, turn in enumerate(TURNS):
-        for bearing in BEARINGS:
-            right = max(bearing + turn - CONE / 2.0, -math.pi / 2.0)
-            left = min(bearing + turn + CONE / 2.0, math.pi / 2.0)
-            if left - right < LEAST_COVER * CONE:
-                continue
-            cone = rays[math.ceil((right - first) / step):math.floor((left - first) / step) + 1]
-            echoes = [ray for ray in cone if LEAST_RAY < ray < MAX_RANGE]
-            lost = rng.random() < ECHOES_LOST
-            noise = 1.0 + RANGE_NOISE * rng.gauss(0.0, 1.0)
-            echo = min(echoes) * noise if echoes and not lost else math.inf
-            heard = None if echo > MAX_RANGE else round(max(echo, MIN_RANGE), 3)
-            result.append([sweep, round(bearing, 4), round(turn, 5), heard])
-    return result
+    return [[sweep, bearing, round(turn, 5), heard] for sweep, turn in enumerate(TURNS)
+            for bearing, heard in ranges(rays, turn, LEAST_COVER, rng)]
 
 
 def episodes(scans, rng):
@@ -149,10 +77,7 @@ def main(log, out):
         sys.exit(f"carmen_scans: {error}")
     visits = sum(scan["role"] == "recognize" for scan in scans)
     print(f"carmen_scans: {log}: {len(scans) - visits} places, {visits} scans to be recognized")
-    # Without the time and the name that gzip writes, the file is the same at every run.
-    with open(out, "wb") as file, gzip.GzipFile("", "wb", fileobj=file, mtime=0) as packed:
-        for scan in scans:
-            packed.write((json.dumps(scan) + "\n").encode())
+    write(scans, out)
 
 
 if __name__ == "__main__":

@@ -21,7 +21,8 @@ struct SuiteOptions {
                                  "open_plan", "laboratory", "home"};
   std::uint64_t first_seed = 1000;
   int seeds = 3;
-  double way = 200.0;  ///< [m]
+  std::vector<std::string> drives;  ///< files of recorded ones
+  double way = 200.0;               ///< [m]
   bool compass = true;
   OdometryNoise noise;
 };
@@ -45,12 +46,17 @@ experiments::Table lostFit(const SuiteOptions& options);
 experiments::Table kidnapSuite(const SuiteOptions& options);
 /// Robots put down anywhere in a building that is mapped.
 experiments::Table startSuite(const SuiteOptions& options);
-/// Halves of drives as two sessions, and sessions in strangers' buildings.
+/// Second sessions in the same building, and in strangers'.
 experiments::Table sessionSuite(const SuiteOptions& options);
 /// False links put into maps.
 experiments::Table linkSuite(const SuiteOptions& options);
 /// Long drives about one building while doors and chairs change.
 experiments::Table soakSuite(const SuiteOptions& options);
+
+/// Recorded drives whose odometry is made to err: a row a drive, over all seeds.
+experiments::Table recordedSuite(const SuiteOptions& options);
+/// Halves of them as two sessions, and as sessions in strangers' buildings.
+experiments::Table halvesSuite(const SuiteOptions& options);
 
 /// All of them by name.
 const std::map<std::string, std::function<experiments::Table(const SuiteOptions&)>>& suites();

@@ -103,11 +103,40 @@ Wheels::Wheels(const DriveRecipe& recipe, sim::Rng& rng)
       turn_(1.0 + recipe.turn_factor_sigma * sim::normal(rng)),
       bend_(recipe.bend_sigma * sim::normal(rng)) {}
 
+double Wheels::believedTurn(double way, double turn, sim::Rng& rng) const {
+  return turn * turn_ + bend_ * way + noise_ * std::sqrt(std::abs(way)) * sim::normal(rng);
+}
+
 void Wheels::move(double forward, double turn, sim::Rng& rng) {
-  const double believed =
-      turn * turn_ + bend_ * forward + noise_ * std::sqrt(std::abs(forward)) * sim::normal(rng);
-  const core::Pose2d half{0.0, 0.0, 0.5 * believed};
+  const core::Pose2d half{0.0, 0.0, 0.5 * believedTurn(forward, turn, rng)};
   pose_ = pose_ * half * core::Pose2d{forward * scale_, 0.0, 0.0} * half;
+}
+
+void Wheels::move(const core::Pose2d& step, sim::Rng& rng) {
+  const double believed = believedTurn(std::hypot(step.x, step.y), step.yaw, rng);
+  // What the turn is off by is so half way already.
+  const core::Pose2d half{0.0, 0.0, 0.5 * (believed - step.yaw)};
+  pose_ = pose_ * half * core::Pose2d{scale_ * step.x, scale_ * step.y, 0.0};
+  pose_.yaw = core::wrapAngle(pose_.yaw - half.yaw + believed);
+}
+
+Drive withErrors(const Drive& drive, const DriveRecipe& recipe, std::uint64_t seed) {
+  sim::Rng rng = seeded(seed);
+  const sim::CompassField compass(std::max(recipe.compass_sigma, 0.0), seed);
+  Wheels wheels(recipe, rng);
+  Drive erring = drive;
+  core::Pose2d before = drive.empty() ? core::Pose2d{} : drive.front().truth.value();
+  for (DriveMoment& moment : erring) {
+    const core::Pose2d base = moment.truth.value();
+    wheels.move(before.inverse() * base, rng);
+    before = base;
+    moment.odom = wheels.pose();
+    moment.heading.reset();
+    if (recipe.compass_sigma < 0.0) continue;
+    moment.heading = core::wrapAngle(base.yaw + compass.errorAt({base.x, base.y}) +
+                                     recipe.compass_noise * sim::normal(rng));
+  }
+  return erring;
 }
 
 DriveSimulator::DriveSimulator(const sim::World& world, const sim::SimulatedRobot& robot,

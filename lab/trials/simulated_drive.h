@@ -45,9 +45,13 @@ class Wheels {
   Wheels(const DriveRecipe& recipe, sim::Rng& rng);
 
   void move(double forward, double turn, sim::Rng& rng);
+  /// By a step as it was in truth; short beside the bends of the way.
+  void move(const core::Pose2d& step, sim::Rng& rng);
   const core::Pose2d& pose() const { return pose_; }
 
  private:
+  double believedTurn(double way, double turn, sim::Rng& rng) const;
+
   double noise_, scale_, turn_, bend_;
   core::Pose2d pose_;
 };
@@ -88,6 +92,10 @@ class DriveSimulator {
   std::size_t next_ = 0;
   double t_ = 0.0;
 };
+
+/// The same drive by wheels and a compass that err by the recipe, repeatable by the seed. The drive
+/// knows its truth; of the recipe only the errors matter.
+Drive withErrors(const Drive& drive, const DriveRecipe& recipe, std::uint64_t seed);
 
 /// A drive from place to place along the world's links, repeatable by its seed.
 Drive simulateDrive(const sim::World& world, const sim::SimulatedRobot& robot,
