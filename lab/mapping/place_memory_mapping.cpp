@@ -18,7 +18,8 @@ const std::map<std::string, std::function<experiments::Table(const SuiteOptions&
   static const std::map<std::string, std::function<experiments::Table(const SuiteOptions&)>> kAll{
       {"drives", driveSuite},   {"sonars", sonarSuite}, {"out_and_back", outAndBackSuite},
       {"kidnaps", kidnapSuite}, {"starts", startSuite}, {"sessions", sessionSuite},
-      {"links", linkSuite},     {"soak", soakSuite},    {"fit_lost", lostFit}};
+      {"links", linkSuite},     {"soak", soakSuite},    {"recorded", recordedSuite},
+      {"halves", halvesSuite},  {"fit_lost", lostFit}};
   return kAll;
 }
 
@@ -52,11 +53,14 @@ int main(int argc, char** argv) {
   po::options_description options("usage: place_memory_mapping SUITE [options]");
   options.add_options()("help", "show this")(
       "suite", po::value<std::string>()->required(),
-      "drives, sonars, out_and_back, kidnaps, starts, sessions, links, soak or fit_lost")(
+      "drives, sonars, out_and_back, kidnaps, starts, sessions, links, soak, recorded, halves or "
+      "fit_lost")(
       "world", po::value<std::vector<std::string>>()->multitoken(),
       "those to drive about in: corridor, open_plan, laboratory, home, cells, half_turn, or a "
       "world file's name")("worlds", po::value(&suite.worlds)->default_value("config/worlds"),
                            "folder of world files")(
+      "drive", po::value(&suite.drives)->multitoken(),
+      "recorded ones, for recorded and halves: files with the truth")(
       "first-seed", po::value(&suite.first_seed)->default_value(suite.first_seed),
       "of buildings and drives")("seeds", po::value(&suite.seeds)->default_value(suite.seeds),
                                  "drives in each world")(

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kThere = 0.15;    // so near to a place it goes on to the next [m]
 constexpr double kTurnRate = 0.6;  // [rad/s]
+constexpr double kShutIn = 60.0;   // [s]
 constexpr double kFar = 4.0;       // so far it is carried at least [m]
 
 /// Where the robot goes next: where it has been least.
@@ -195,12 +196,18 @@ Drive simulateDrive(const sim::World& world, const sim::SimulatedRobot& robot,
   Drive drive;
   double way = 0.0, t = 0.0;
   int blocked = 0;
+  double moved_at = 0.0;
   double next_change = recipe.change_every > 0.0 ? recipe.change_every : 0.5 * recipe.way;
   if (!recipe.changes) next_change = INFINITY;
   std::size_t carried = 0;
   while (way < recipe.way && t < 20.0 * recipe.way / recipe.speed) {
-    if (way > next_change) {
-      next_change = recipe.change_every > 0.0 ? next_change + recipe.change_every : INFINITY;
+    // Behind closed doors it waits until somebody comes by.
+    const bool is_shut_in = recipe.changes && t - moved_at > kShutIn;
+    if (way > next_change || is_shut_in) {
+      moved_at = t;
+      if (way > next_change) {
+        next_change = recipe.change_every > 0.0 ? next_change + recipe.change_every : INFINITY;
+      }
       sim::World now = world;
       change(now, simulator.base(), rng);
       simulator.setWorld(now);
@@ -229,6 +236,7 @@ Drive simulateDrive(const sim::World& world, const sim::SimulatedRobot& robot,
     }
     way += step.forward;
     t += recipe.tick;
+    if (step.forward > 0.0) moved_at = t;
     drive.push_back(std::move(step.moment));
   }
   return drive;

@@ -9,14 +9,16 @@
 namespace place_memory::core {
 
 struct ThinningOptions {
-  std::size_t visits = 30;  ///< scans that are kept of those about one place, the newest ones
+  std::size_t visits = 15;  ///< scans that are kept of those about one place, the newest ones
+  std::size_t untied = 1;   ///< ways without a tie that are kept between two places, likewise
   std::size_t newest = 60;  ///< scans that stay whatever they are
   double longest = 5.0;     ///< odometry over a longer way than this is not kept in one [m]
 };
 
-/// Drops scans that only say once more where known places lie, so that a map is as large as its
-/// building, however long the robot drives about in it. Places stay. Returns, for each node as it
-/// was, its index from now on, none for those that went; nothing where there was nothing to drop.
+/// Drops scans that only say once more where known places lie, or that told nothing on a way
+/// between two of them that was driven again since, so that a map is as large as its building,
+/// however long the robot drives about in it. Places stay. Returns, for each node as it was, its
+/// index from now on, none for those that went; nothing where there was nothing to drop.
 std::optional<std::vector<std::optional<NodeIndex>>> thin(ScanGraph& graph,
                                                           const ThinningOptions& options);
 
