@@ -14,12 +14,21 @@
 namespace place_memory::mapping {
 namespace {
 
+using core::kCompassTurns;
+using core::kContinuities;
 using core::kScanWitnesses;
 using core::LostModel;
 using experiments::fixed;
 
 constexpr std::array<const char*, kScanWitnesses> kNames{"agrees",      "silent", "misses",
                                                          "contradicts", "doubts", "elsewhere"};
+
+constexpr std::array<const char*, kContinuities> kContinuityNames{"are few", "go on", "falter",
+                                                                  "break", "surely break"};
+constexpr std::array<const char*, kCompassTurns> kCompassNames{"is not seen", "turns as odometry",
+                                                               "turns otherwise"};
+/// A spot is judged when the robot is half a metre further.
+constexpr double kJudgedLater = 0.5;  // [m]
 
 // What is asked, so that a model is the better the less it takes of these together.
 constexpr double kMostLate = 0.05;   ///< share of losses that are told late
@@ -32,16 +41,28 @@ constexpr double kSettled = 10.0;    ///< way after a loss in which an alarm is 
 /// What a scan showed, and whether the robot was lost.
 struct Example {
   core::ScanWitness witness;
-  double way;                ///< since the one before [m]; below 0: the first of a sequence
-  std::optional<bool> lost;  ///< where that can be told
-  std::size_t loss;          ///< losses so far in all runs
-  int clean;                 ///< scans since the newest of them that hold no reading from before
-  double since;              ///< way since that [m]
+  core::Spot spot;
+  std::optional<bool> carried;  ///< within what that speaks of, where it is not near its ends
+  double way;                   ///< since the one before [m]; below 0: the first of a sequence
+  std::optional<bool> lost;     ///< where that can be told
+  std::size_t loss;             ///< losses so far in all runs
+  int clean;                    ///< scans since the newest of them that hold no reading from before
+  double since;                 ///< way since that [m]
 };
 
 /// Whether it tells of the model: a scan that was begun where the robot was carried from cannot.
 bool tells(const Example& example) {
   return example.lost && !(*example.lost && example.loss > 0 && example.clean == 0);
+}
+
+/// Whether the robot was carried between two points of the way; nothing where it was next to them.
+std::optional<bool> carriedBefore(const std::vector<double>& losses_at, double from, double to) {
+  bool near = false;
+  for (const double at : losses_at) {
+    if (at > from && at <= to) return true;
+    near = near || (at > from - kJudgedLater && at <= to + kJudgedLater);
+  }
+  return near ? std::nullopt : std::make_optional(false);
 }
 
 /// Examples of several runs.
@@ -66,11 +87,14 @@ class Examples {
       }
       const double at = loss == 0 ? -INFINITY : losses_at[loss - 1];
       clean += record.first_way >= at ? 1 : 0;
-      const bool told = run.moments[record.moment].online.has_value() &&
+      const bool told = (run.moments[record.moment].online || record.astray) &&
                         record.decision.kind != core::ScanDecision::Kind::kClosed;
       if (told) {
-        examples_.push_back({record.decision.witness, goes_on ? record.last_way - last : -1.0,
-                             record.astray, losses_ + loss, clean, record.last_way - at});
+        examples_.push_back(
+            {record.decision.witness, record.decision.spot,
+             carriedBefore(losses_at, last - kJudgedLater, record.last_way - kJudgedLater),
+             goes_on ? record.last_way - last : -1.0, record.astray, losses_ + loss, clean,
+             record.last_way - at});
       }
       goes_on = told;
       last = record.last_way;
@@ -110,11 +134,13 @@ Worth worthOf(const core::LostEstimate& fresh, const Examples& examples) {
   core::LostEstimate estimate = fresh;
   for (const Example& example : examples.all()) {
     if (example.way < 0.0) estimate = fresh;
-    estimate.update(example.witness, std::max(example.way, 0.0));
+    estimate.drive(example.spot, std::max(example.way, 0.0));
+    estimate.see(example.witness);
     const double lost = estimate.probability();
     const bool is_alarm = lost > 0.5;
-    if (example.lost.value_or(false)) seen[example.loss] = 1;
-    if (is_alarm && example.clean <= kScansToSay) told[example.loss] = 1;
+    const bool soon = example.clean <= kScansToSay;
+    if (soon && example.lost.value_or(false)) seen[example.loss] = 1;
+    if (soon && is_alarm) told[example.loss] = 1;
     worth.alarms +=
         is_alarm && !alarm && !example.lost.value_or(true) && example.since > kSettled ? 1.0 : 0.0;
     alarm = is_alarm;
@@ -136,20 +162,38 @@ Worth worthOf(const core::LostEstimate& fresh, const Examples& examples) {
   return worth;
 }
 
-using Counts = std::array<std::array<double, 2>, kScanWitnesses>;  ///< by witness, not lost or lost
+/// By kind, where it does not hold and where it does.
+template <std::size_t kinds>
+using Counts = std::array<std::array<double, 2>, kinds>;
 
-LostModel softened(const Counts& counts, double softening) {
-  LostModel model{0.001, {}};
+template <std::size_t kinds>
+std::array<double, kinds> softened(const Counts<kinds>& counts, double softening) {
   std::array<double, 2> all{};
   for (const auto& count : counts) {
-    for (const std::size_t lost : {0U, 1U}) all[lost] += count[lost] + 0.5;
+    for (const std::size_t holds : {0U, 1U}) all[holds] += count[holds] + 0.5;
   }
-  for (std::size_t i = 0; i < kScanWitnesses; ++i) {
+  std::array<double, kinds> ratios{};
+  for (std::size_t i = 0; i < kinds; ++i) {
     const double ratio = ((counts[i][1] + 0.5) / all[1]) / ((counts[i][0] + 0.5) / all[0]);
-    model.ratios[i] = std::pow(ratio, softening);
+    ratios[i] = std::pow(ratio, softening);
   }
+  return ratios;
+}
+
+/// How often each is seen.
+struct AllCounts {
+  Counts<kScanWitnesses> witnesses{};
+  Counts<kContinuities> readings{};
+  Counts<kCompassTurns> compass{};
+};
+
+LostModel softened(const AllCounts& counts, double softening) {
+  LostModel model{0.001, softened(counts.witnesses, softening),
+                  softened(counts.readings, softening), softened(counts.compass, softening)};
   // Where nothing can be seen again nothing is said.
   model.ratios[static_cast<std::size_t>(core::ScanWitness::kSilent)] = 1.0;
+  model.readings[static_cast<std::size_t>(core::Continuity::kUnseen)] = 1.0;
+  model.compass[static_cast<std::size_t>(core::CompassTurn::kUnseen)] = 1.0;
   return model;
 }
 
@@ -183,6 +227,14 @@ LostModel descend(LostModel model, const Examples& examples) {
   return model;
 }
 
+template <std::size_t kinds>
+void addRows(experiments::Table& table, const std::array<const char*, kinds>& names,
+             const Counts<kinds>& counts, const std::array<double, kinds>& ratios) {
+  for (std::size_t i = 0; i < kinds; ++i) {
+    table.add({names[i], fixed(counts[i][1], 0), fixed(counts[i][0], 0), fixed(ratios[i], 3)});
+  }
+}
+
 }  // namespace
 
 experiments::Table lostFit(const SuiteOptions& options) {
@@ -204,10 +256,15 @@ experiments::Table lostFit(const SuiteOptions& options) {
       }
     }
   }
-  Counts counts{};
+  AllCounts counts;
   for (const Example& example : examples.all()) {
+    if (example.carried) {
+      const std::size_t column = *example.carried ? 1 : 0;
+      ++counts.readings[static_cast<std::size_t>(example.spot.readings)][column];
+      ++counts.compass[static_cast<std::size_t>(example.spot.compass)][column];
+    }
     if (!tells(example)) continue;
-    ++counts[static_cast<std::size_t>(example.witness)][*example.lost ? 1 : 0];
+    ++counts.witnesses[static_cast<std::size_t>(example.witness)][*example.lost ? 1 : 0];
   }
   LostModel best{};
   double least = INFINITY;
@@ -220,10 +277,11 @@ experiments::Table lostFit(const SuiteOptions& options) {
   }
   const Worth worth = worthOf(core::LostEstimate(best), examples);
   experiments::Table table({"a scan that", "lost", "not lost", "ratio"});
-  for (std::size_t i = 0; i < kScanWitnesses; ++i) {
-    table.add(
-        {kNames[i], fixed(counts[i][1], 0), fixed(counts[i][0], 0), fixed(best.ratios[i], 3)});
-  }
+  addRows(table, kNames, counts.witnesses, best.ratios);
+  table.add({"where readings", "carried", "not carried", "ratio"});
+  addRows(table, kContinuityNames, counts.readings, best.readings);
+  table.add({"where the compass", "carried", "not carried", "ratio"});
+  addRows(table, kCompassNames, counts.compass, best.compass);
   table.add({"lifted by the metre", "", "", fixed(best.lifted_per_metre, 4)});
   table.add({"losses", std::to_string(examples.losses()), "", ""});
   const Worth now = worthOf(core::LostEstimate(), examples);

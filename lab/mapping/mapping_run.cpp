@@ -19,17 +19,16 @@ double distance(const core::Pose2d& a, const core::Pose2d& b) {
 }
 
 /// Whether the robot is elsewhere than it thinks, relative to the nearest place.
-std::optional<bool> astray(const core::Mapper& mapper, const MomentRecord& now,
-                           const Truth& truth) {
-  if (!now.online) return std::nullopt;
+std::optional<bool> astray(const core::Mapper& mapper, const core::Pose2d& online,
+                           const MomentRecord& now, const Truth& truth) {
   std::optional<bool> astray;
   double nearest = kNearest;
   for (const core::MappedPlace& place : mapper.places()) {
-    const double off = distance(place.map_from_base, *now.online);
+    const double off = distance(place.map_from_base, online);
     const std::optional<core::Pose2d> was = truth.at(place.stamp);
     if (place.apart || off > nearest || !was) continue;
     nearest = off;
-    const core::Pose2d thought = place.map_from_base.inverse() * *now.online;
+    const core::Pose2d thought = place.map_from_base.inverse() * online;
     const core::Pose2d is = was->inverse() * now.truth;
     astray = distance(thought, is) > kAstray ||
              std::abs(core::wrapAngle(thought.yaw - is.yaw)) > kAstrayTurn;
@@ -66,8 +65,10 @@ void MappingRecorder::feed(const trials::DriveMoment& moment) {
   now.stamp = stampOf(moment);
   now.odom = moment.odom;
   now.truth = *moment.truth;
+  std::optional<core::Pose2d> goes_on;
   if (!run_.moments.empty()) {
     const MomentRecord& before = run_.moments.back();
+    if (before.online) goes_on = *before.online * (before.odom.inverse() * now.odom);
     now.way = before.way + distance(now.odom, before.odom);
     now.carried = distance(now.truth, before.truth) > kCarried;
   }
@@ -89,7 +90,9 @@ void MappingRecorder::feed(const trials::DriveMoment& moment) {
     const core::ScanNode& node = mapper_.graph().nodes().back();
     record.first_way = now.way - (node.last_way - node.first_way);
     record.last_way = now.way;
-    record.astray = astray(mapper_, now, truth_);
+    // What makes it give up where it is is judged by where it was till then.
+    const std::optional<core::Pose2d> online = now.online ? now.online : goes_on;
+    if (online) record.astray = astray(mapper_, *online, now, truth_);
     run_.decisions.push_back(record);
   }
 }

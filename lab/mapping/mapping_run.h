@@ -41,7 +41,7 @@ struct DecisionRecord {
   std::size_t moment = 0;  ///< at which it was told
   double first_way = 0.0;  ///< ends of the scan's stretch, by odometry of this run [m]
   double last_way = 0.0;
-  /// Whether the robot was elsewhere than it thought, beside the place that lay nearest then;
+  /// Whether the robot was elsewhere than it thought till then, beside the place that lay nearest;
   /// nothing where none was near, or it had no idea.
   std::optional<bool> astray;
 };

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/mapping/continuity_watch.h"
+
 namespace place_memory::core {
 
 /// What one scan showed of whether the robot is where it thinks.
@@ -18,14 +20,19 @@ enum class ScanWitness {
 
 constexpr std::size_t kScanWitnesses = 6;
 
-/// How often robots are carried, and by how much more often a lost robot's scans are of each kind
-/// than another's. Neighbouring scans share readings, so these ratios are softened.
+/// How often robots are carried, by how much more often a lost robot's scans are of each kind than
+/// another's, and by how much more often readings go on, and the compass turns, in each way where a
+/// robot is carried than elsewhere. Neighbouring scans share readings, so these ratios are
+/// softened.
 struct LostModel {
-  double lifted_per_metre;                    ///< of way, > 0
-  std::array<double, kScanWitnesses> ratios;  ///< in the order of ScanWitness, > 0
+  double lifted_per_metre;                     ///< of way, > 0
+  std::array<double, kScanWitnesses> ratios;   ///< in the order of ScanWitness, > 0
+  std::array<double, kContinuities> readings;  ///< in the order of Continuity, > 0
+  std::array<double, kCompassTurns> compass;   ///< in the order of CompassTurn, > 0
 };
 
-/// P(lost): a two-state filter. A robot may be lifted at any time; scans at known places tell.
+/// P(lost): a two-state filter. A robot may be lifted at any time, most likely where what it senses
+/// does not go on; scans at known places tell.
 class LostEstimate {
  public:
   /// With a model that `place_memory_mapping fit_lost` counts.
@@ -35,8 +42,10 @@ class LostEstimate {
   double probability() const { return lost_; }
   void set(double probability) { lost_ = probability; }
 
-  /// `way`: since the last scan [m].
-  void update(ScanWitness witness, double way);
+  /// It drove, or was carried: the probability of that. `way`: since the last scan [m].
+  double drive(const Spot& spot, double way);
+  /// A scan showed something.
+  void see(ScanWitness witness);
 
  private:
   LostModel model_;

@@ -44,13 +44,16 @@ void Mapper::addOdometry(std::chrono::nanoseconds /*stamp*/, const Pose2d& odom_
 void Mapper::addReading(std::chrono::nanoseconds stamp, const Pose2d& odom_from_base,
                         const SonarReading& reading) {
   addOdometry(stamp, odom_from_base);
-  builder_.add({stamp, odom_from_base, reckoning_.pose(), reckoning_.way(), reckoning_.turn()},
-               reading);
+  const BaseMoment moment{stamp, odom_from_base, reckoning_.pose(), reckoning_.way(),
+                          reckoning_.turn()};
+  continuity_.add(moment, reading, headings_.at(stamp));
+  builder_.add(moment, reading);
   while (const std::optional<MovingScan> scan = builder_.take()) process(*scan);
 }
 
 void Mapper::beginSession() {
   builder_.restart();
+  continuity_.restart();
   reckoning_.restart();
   headings_.clear();
   last_middle_.reset();
@@ -132,10 +135,11 @@ void Mapper::process(const MovingScan& scan) {
   const NodeIndex at = append(scan);
   const double way = scan.middle.way;
   shelf_.ripen(scan.first_way, graph_);
-  const View view = look(at, scan);
-  speakOfLoops(at, scan, view);
   ScanDecision decision;
   decision.stamp = scan.middle.stamp;
+  decision.spot = noticeBreak(at);
+  const View view = look(at, scan);
+  speakOfLoops(at, scan, view);
   if (view.tracked) {
     anchored_way_ = way;
     is_told_ = false;
@@ -144,7 +148,8 @@ void Mapper::process(const MovingScan& scan) {
   }
   // A compass holds the heading on new ground too.
   if (view.tracked || graph_.node(at).compass) graph_.relaxRecent(kWindow);
-  if (closer_.observe(view.tracked, placeNear(session_, at)(graph_.node(at).pose), way)) takeBack();
+  const bool expected = !straddlesBreak(at) && placeNear(session_, at)(graph_.node(at).pose);
+  if (closer_.observe(view.tracked, expected, way)) takeBack();
   speakOfJoins(at, scan, view);
   if (accepted(carried_, kMapSession)) partWays();
   if (closeLoops(way)) {

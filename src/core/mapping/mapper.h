@@ -14,11 +14,12 @@
 #include "core/map/place_belief.h"
 #include "core/mapping/closure_candidates.h"
 #include "core/mapping/closure_question.h"
+#include "core/mapping/continuity_watch.h"
 #include "core/mapping/dead_reckoning.h"
-#include "core/mapping/graph_thinning.h"
 #include "core/mapping/loop_closer.h"
 #include "core/mapping/lost_estimate.h"
 #include "core/mapping/mapper_event.h"
+#include "core/mapping/mapper_options.h"
 #include "core/mapping/moving_scan.h"
 #include "core/mapping/newest_readings.h"
 #include "core/mapping/place_shelf.h"
@@ -26,36 +27,8 @@
 #include "core/mapping/scan_tying.h"
 #include "core/mapping/way_search.h"
 #include "core/sensing/heading_history.h"
-#include "place_memory/core/recognizer_options.h"
-#include "place_memory/core/sonar_model.h"
 
 namespace place_memory::core {
-
-enum class MapperMode {
-  kMap,       ///< new places are made, and the map corrects itself
-  kLocalize,  ///< the map stays as it is
-};
-
-struct MapperOptions {
-  MapperMode mode = MapperMode::kMap;
-  MovingScanOptions scan;
-  double spacing = 1.3;    ///< least distance of a new place from all others [m]
-  double doubled = 0.6;    ///< of two places nearer than this after a correction the newer goes [m]
-  ClosureOptions closure;  ///< of loops
-  ClosureOptions join{10,  7.0, 2.0, 20.0, 4.0,
-                      6.0, 5,   5,   0.0,  0.65};  ///< of a session with the map
-  /// Of what was driven since the robot seemed lost: perhaps it never was.
-  ClosureOptions rejoin{10, 7.0, 2.0, 20.0, 4.0, 6.0, 5, 5, 4.0, 0.65, 2};
-  /// Of a robot that thinks to be on new ground, and is carried to where it was: rooms look alike.
-  ClosureOptions carried{12, 8.0, 2.0, 24.0, 5.0, 6.0, 5, 6, 4.0, 0.65};
-  ClosureOptions relocate{2,   0.2, 0.0, 4.0, 2.0,
-                          4.0, 3,   1,   0.0, 0.0};  ///< of a robot that only asks where it is
-  double cell_size = kDefaultCellSize;               ///< [m]
-  ThinningOptions thinning;
-  SonarModelOptions sonar;
-  RecognizerOptions recognizer;
-  bool keep_way = false;  ///< remember scans that are thinned out, for way(): it grows with the way
-};
 
 /// What became of one moving scan.
 struct ScanDecision {
@@ -68,7 +41,8 @@ struct ScanDecision {
   double belief = 0.0;       ///< probability of that place
   double lost = 0.0;         ///< probability that the robot is not where map_from_odom has it
   ScanWitness witness = ScanWitness::kSilent;  ///< what it showed of that
-  std::string reason;                          ///< in words: why this and nothing else
+  Spot spot;           ///< of the way since the scan before, where what is sensed goes on least
+  std::string reason;  ///< in words: why this and nothing else
 };
 
 /// "new_place", "tracked", "closed", "candidate", "between" or "lost", as tables have it.
@@ -235,7 +209,10 @@ class Mapper {
   void takeBack();
   PlaceBelief::Map beliefMap() const;
   void believe(NodeIndex at, const std::vector<PlaceFit>& fits, const LaidScan& scan);
-  ScanWitness witnessOf(const View& view) const;
+  ScanWitness witnessOf(NodeIndex at, const View& view) const;
+  bool straddlesBreak(NodeIndex at) const;
+  NodeIndex firstAstray() const;
+  Spot noticeBreak(NodeIndex at);
   void judgeLost(NodeIndex at, const View& view, ScanDecision& decision);
   void partWays();
   void beginApart();
@@ -255,6 +232,7 @@ class Mapper {
   MapperOptions options_;
   DeadReckoning reckoning_;
   MovingScanBuilder builder_;
+  ContinuityWatch continuity_;
   HeadingHistory headings_;
   ScanGraph graph_;
   PlaceShelf shelf_;
@@ -288,6 +266,7 @@ class Mapper {
   bool ties_since_full_ = false;
   bool compass_guides_ = false;  ///< to the map: what it errs by is known, and little everywhere
   LostEstimate lost_;
+  std::optional<double> break_way_;  ///< where it was carried, if it was [m]
   PlaceBelief belief_;
   Pose2d believed_odom_;  ///< of the base when belief_ was brought up to date
   std::shared_ptr<const EvidenceGrid> seen_;

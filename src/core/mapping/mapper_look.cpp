@@ -47,7 +47,7 @@ void Mapper::lookForOwnSession(NodeIndex at, View& view) {
   if (session_ == kMapSession) believe(at, fits, view.laid);
   WaySearch ways(graph_, at, kFarthestWay);
   // A scan that was begun where the robot was carried from still looks like there.
-  if (!view.agreement.contradicts) {
+  if (!view.agreement.contradicts && !straddlesBreak(at)) {
     view.tracked = tying_.track(at, view.laid, fits, ways, mostSigma(at), view.agreement.disagrees,
                                 closer_.onTrial());
   }

@@ -12,6 +12,7 @@ constexpr double kSurelyAnchored = 12.0;
 constexpr double kSurelyElsewhere = 0.82;  ///< probability of another place
 constexpr double kSurelyLost = 0.98;
 constexpr double kDeviates = 0.45;     ///< of the compass, so that any heading is looked at [rad]
+constexpr double kLost = 0.5;          ///< P(lost) at which a robot that was carried starts anew
 constexpr double kDoubtful = 0.2;      ///< P(lost) from which no place is named
 constexpr double kNoDoubt = 0.01;      ///< P(lost) of a robot that was tracked a scan ago
 constexpr double kJustTied = 2.1;      ///< way since the middle of a scan that was tracked [m]
@@ -78,8 +79,14 @@ BeliefSummary Mapper::belief() const {
   return summary;
 }
 
-ScanWitness Mapper::witnessOf(const View& view) const {
+bool Mapper::straddlesBreak(NodeIndex at) const {
+  return break_way_ && graph_.node(at).first_way < *break_way_;
+}
+
+ScanWitness Mapper::witnessOf(NodeIndex at, const View& view) const {
   if (view.tracked) return ScanWitness::kAgrees;
+  // Of a session apart it is known only whether the robot is still in it.
+  if (session_ != kMapSession) return ScanWitness::kSilent;
   const ClosureCandidate* carried = carried_.foremost();
   const bool again = carried && carried->witnesses.size() >= 2 &&
                      carried->witnesses.back().node + 1 == graph_.nodes().size();
@@ -92,19 +99,31 @@ ScanWitness Mapper::witnessOf(const View& view) const {
   const double untied = reckoning_.way() - anchored_way_;
   const ClosureCandidate* loop = loops_.foremost();
   const bool closes = loop && loop->witnesses.size() >= 2;
-  if (closes || untied >= kSurelyAnchored || graph_.ties().empty()) return ScanWitness::kSilent;
+  if (closes || straddlesBreak(at) || untied >= kSurelyAnchored || graph_.ties().empty())
+    return ScanWitness::kSilent;
   if (disagrees) return ScanWitness::kContradicts;
   return view.at_place ? ScanWitness::kMisses : ScanWitness::kSilent;
 }
 
+Spot Mapper::noticeBreak(NodeIndex at) {
+  const Spot spot = continuity_.take();
+  const ScanNode& node = graph_.node(at);
+  if (!node.before) return spot;
+  const double carried = lost_.drive(spot, node.last_way - graph_.node(*node.before).last_way);
+  if (carried > kDoubtful) break_way_ = spot.way;
+  return spot;
+}
+
 void Mapper::judgeLost(NodeIndex at, const View& view, ScanDecision& decision) {
   const ScanNode& node = graph_.node(at);
-  if (!node.before || session_ != kMapSession || node.session != kMapSession) return;
-  decision.witness = witnessOf(view);
-  lost_.update(decision.witness, node.last_way - graph_.node(*node.before).last_way);
+  if (!node.before || session_ != node.session) return;
+  decision.witness = witnessOf(at, view);
+  lost_.see(decision.witness);
+  if (lost_.probability() < kDoubtful) break_way_.reset();
   const bool here =
       decision.witness != ScanWitness::kSilent && decision.witness != ScanWitness::kDoubts;
-  if (here && lost_.probability() > kSurelyLost) partWays();
+  const bool broke = break_way_ && node.first_way >= *break_way_ && !view.tracked;
+  if (lost_.probability() > (broke ? kLost : here ? kSurelyLost : 1.0)) partWays();
 }
 
 bool Mapper::inDoubt(const View& view) const {
@@ -117,25 +136,45 @@ bool Mapper::inDoubt(const View& view) const {
   return lost_.probability() > kDoubtful || !agrees || !just_tied;
 }
 
-/// What was driven since the last tie lies nobody knows where; but of a long way most was driven
-/// before the first scan that was known elsewhere, and is apart from what came after it.
+/// Of the nodes that odometry leads to from here, the first after the break; where there is none,
+/// the first after the last tie.
+NodeIndex Mapper::firstAstray() const {
+  NodeIndex first = graph_.nodes().size() - 1;
+  const auto is_astray = [this](NodeIndex at) {
+    const double middle = 0.5 * (graph_.node(at).first_way + graph_.node(at).last_way);
+    return break_way_ ? middle > *break_way_ : !graph_.tied(at);
+  };
+  while (graph_.node(first).before && is_astray(*graph_.node(first).before)) {
+    first = *graph_.node(first).before;
+  }
+  return first;
+}
+
+/// What was driven since it was carried lies nobody knows where. Where nothing shows when that was,
+/// it is what was driven since the last tie; but of a long way most was driven before the first
+/// scan that was known elsewhere, and is apart from what came after it.
 void Mapper::partWays() {
   note(MapperEvent::Kind::kLost);
-  NodeIndex first = graph_.nodes().size() - 1;
-  while (first > 0 && graph_.node(first).before && !graph_.tied(*graph_.node(first).before)) {
-    --first;
-  }
+  const NodeIndex first = firstAstray();
   NodeIndex cut = first;
   const bool whole_map = first == 0;
   const ClosureCandidate* carried = carried_.foremost();
   const NodeIndex seen = carried ? carried->witnesses.front().node : 0;
-  if (seen > first + kNodesBefore + (whole_map ? 0 : kLongPart)) cut = seen - kNodesBefore;
+  const bool is_long = seen > first + kNodesBefore + (whole_map ? 0 : kLongPart);
+  if (!break_way_ && is_long) cut = seen - kNodesBefore;
   if (cut == 0) {  // there would be no map left
     carried_.clear();
+    if (break_way_) lost_.set(0.0);
+    break_way_.reset();
     return;
   }
-  // A place among it may be made of readings from before and after.
-  for (NodeIndex at = cut; at < graph_.nodes().size(); ++at) {
+  // A place may be made of readings from before and after.
+  NodeIndex mixed = cut;
+  while (break_way_ && graph_.node(mixed).before &&
+         graph_.node(*graph_.node(mixed).before).last_way > *break_way_) {
+    mixed = *graph_.node(mixed).before;
+  }
+  for (NodeIndex at = mixed; at < graph_.nodes().size(); ++at) {
     if (graph_.node(at).place != kNoPlace) shelf_.remove(graph_.node(at).place, graph_);
   }
   if (cut != first && !whole_map) {
@@ -167,6 +206,7 @@ void Mapper::beginApart() {
   compass_guides_ = compass_guides_ && known > 0;
   session_ = ++last_session_;
   lost_.set(0.0);
+  break_way_.reset();
   belief_.reset();
   seen_.reset();
 }

@@ -81,6 +81,7 @@ bool Mapper::close(const ClosureCandidate& candidate, int target, double way) {
   carried_.clear();
   joins_.clear();
   lost_.set(kLostAfterClosure);
+  break_way_.reset();
   return true;
 }
 
@@ -203,7 +204,7 @@ void Mapper::makePlaces() {
   };
   // What waits for long becomes places all the same: without them the rooms that the robot drives
   // through since would be missing, and it would take each for one that looks like it.
-  const bool waits = pending(loops_) || pending(carried_) || pending(joins_);
+  const bool waits = pending(loops_) || pending(carried_) || pending(joins_) || break_way_;
   auto next = undecided_.begin();
   for (; next != undecided_.end(); ++next) {
     const NodeIndex at = *next;
