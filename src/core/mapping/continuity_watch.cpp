@@ -21,7 +21,7 @@ constexpr double kLearns = 0.1;                    ///< weight of a spot in what
 // Log odds of an echo to intrude, beyond the usual; chosen on drives of seeds from 100 on.
 constexpr double kFalters = 0.3;
 constexpr double kBreaks = 0.7;
-constexpr double kSurelyBreaks = 1.0;
+constexpr double kSurelyBreaks = 1.1;
 constexpr double kTurned = 25.0 * kPi / 180.0;  ///< more than iron turns a compass [rad]
 
 double logOdds(double share) { return std::log((share + 0.02) / (1.02 - share)); }
