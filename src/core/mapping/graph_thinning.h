@@ -10,7 +10,7 @@ namespace place_memory::core {
 
 struct ThinningOptions {
   std::size_t visits = 15;  ///< scans that are kept of those about one place, the newest ones
-  std::size_t untied = 1;   ///< ways without a tie that are kept between two places, likewise
+  std::size_t untied = 3;   ///< ways without a tie that are kept between two places, likewise
   std::size_t newest = 60;  ///< scans that stay whatever they are
   double longest = 5.0;     ///< odometry over a longer way than this is not kept in one [m]
 };
