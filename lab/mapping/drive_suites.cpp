@@ -48,6 +48,19 @@ experiments::Table tableOf(const SuiteOptions& options,
   return table;
 }
 
+experiments::Table sumsOf(const SuiteOptions& options) {
+  experiments::Table table(sumsHeader());
+  for (const std::string& name : options.names) {
+    std::vector<MappingFigures> runs;
+    for (int i = 0; i < options.seeds; ++i) {
+      const std::uint64_t seed = options.first_seed + static_cast<std::uint64_t>(i);
+      runs.push_back(mapped(options, mappingWorld(name, seed, options.worlds), seed, ring(1)));
+    }
+    table.add(sumsRow(name, runs));
+  }
+  return table;
+}
+
 }  // namespace
 
 trials::DriveRecipe recipeOf(const SuiteOptions& options) {
@@ -60,6 +73,7 @@ trials::DriveRecipe recipeOf(const SuiteOptions& options) {
 }
 
 experiments::Table driveSuite(const SuiteOptions& options) {
+  if (options.sums) return sumsOf(options);
   return tableOf(options, {{"16", ring(1)}});
 }
 

@@ -36,6 +36,7 @@ int run(const po::variables_map& given, mapping::SuiteOptions options) {
     throw std::runtime_error("there is no suite " + name + "; there are:" + names);
   }
   options.compass = given.count("no-compass") == 0;
+  options.sums = given.count("sums") > 0;
   if (given.count("world")) options.names = given["world"].as<std::vector<std::string>>();
   const experiments::Table table = suite->second(options);
   if (given.count("csv")) {
@@ -69,7 +70,7 @@ int main(int argc, char** argv) {
       "of odometry's distances")(
       "yaw-noise", po::value(&suite.noise.yaw_noise)->default_value(suite.noise.yaw_noise),
       "of odometry [rad by the root of the way in m]")("no-compass", "robots have none")(
-      "csv", "print comma separated values");
+      "sums", "of drives: a row for all seeds together")("csv", "print comma separated values");
   po::positional_options_description places;
   places.add("suite", 1);
   return place_memory::trials::runProgram(

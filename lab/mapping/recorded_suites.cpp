@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mapping/drive_table.h"
 #include "mapping/join_offset.h"
 #include "mapping/mapping_figures.h"
 #include "mapping/suites.h"
@@ -33,55 +34,6 @@ std::string nameOf(const std::string& path) {
   return file.substr(0, file.find('.'));
 }
 
-double mean(const std::vector<MappingFigures>& runs, double MappingFigures::*of) {
-  double sum = 0.0;
-  for (const MappingFigures& run : runs) sum += run.*of;
-  return sum / static_cast<double>(runs.size());
-}
-
-double most(const std::vector<MappingFigures>& runs, double MappingFigures::*of) {
-  double most = 0.0;
-  for (const MappingFigures& run : runs) most = std::max(most, run.*of);
-  return most;
-}
-
-std::size_t sum(const std::vector<MappingFigures>& runs, std::size_t MappingFigures::*of) {
-  std::size_t sum = 0;
-  for (const MappingFigures& run : runs) sum += run.*of;
-  return sum;
-}
-
-std::vector<std::string> row(const std::string& name, const std::vector<MappingFigures>& runs) {
-  const auto count = static_cast<double>(runs.size());
-  const auto share = [&](std::size_t part, std::size_t whole) {
-    return whole == 0 ? std::string()
-                      : fixed(static_cast<double>(part) / static_cast<double>(whole), 3);
-  };
-  std::vector<double> errors;
-  for (const MappingFigures& run : runs) {
-    errors.insert(errors.end(), run.errors.begin(), run.errors.end());
-  }
-  std::sort(errors.begin(), errors.end());
-  const auto quantile = [&](std::size_t percent) {
-    return errors.empty() ? std::string() : fixed(errors[errors.size() * percent / 100], 3);
-  };
-  return {name,
-          fixed(mean(runs, &MappingFigures::way), 0),
-          fixed(mean(runs, &MappingFigures::online), 2),
-          fixed(mean(runs, &MappingFigures::final), 2),
-          fixed(most(runs, &MappingFigures::final), 2),
-          fixed(mean(runs, &MappingFigures::final_scale_free), 2),
-          fixed(static_cast<double>(sum(runs, &MappingFigures::places)) / count, 0),
-          std::to_string(sum(runs, &MappingFigures::doubled)),
-          std::to_string(sum(runs, &MappingFigures::false_ties)),
-          std::to_string(sum(runs, &MappingFigures::wrong)),
-          std::to_string(sum(runs, &MappingFigures::answers)),
-          quantile(50),
-          quantile(99),
-          share(sum(runs, &MappingFigures::known), sum(runs, &MappingFigures::again)),
-          fixed(mean(runs, &MappingFigures::cpu), 1)};
-}
-
 DrivePart wholeOf(const SuiteOptions& options) {
   DrivePart part;
   part.compass = options.compass;
@@ -91,9 +43,7 @@ DrivePart wholeOf(const SuiteOptions& options) {
 }  // namespace
 
 experiments::Table recordedSuite(const SuiteOptions& options) {
-  experiments::Table table({"drive", "way", "online", "final", "largest", "scale free", "places",
-                            "doubled", "false ties", "wrong", "of", "median", "99 %", "revisits",
-                            "ms by m"});
+  experiments::Table table(sumsHeader());
   const std::vector<trials::Drive> drives = readDrives(options);
   for (std::size_t i = 0; i < drives.size(); ++i) {
     std::vector<MappingFigures> runs;
@@ -105,7 +55,7 @@ experiments::Table recordedSuite(const SuiteOptions& options) {
                                    wholeOf(options), truth);
       runs.push_back(figures(mapper, run, truth));
     }
-    table.add(row(nameOf(options.drives[i]), runs));
+    table.add(sumsRow(nameOf(options.drives[i]), runs));
   }
   return table;
 }
@@ -139,8 +89,8 @@ experiments::Table halvesSuite(const SuiteOptions& options) {
       table.add({nameOf(options.drives[i]), later == i ? "the same" : nameOf(options.drives[later]),
                  std::to_string(runs.size()), std::to_string(joined),
                  later == i && joined > 0 ? fixed(offset, 2) : "",
-                 std::to_string(sum(runs, &MappingFigures::wrong)),
-                 std::to_string(sum(runs, &MappingFigures::answers))});
+                 std::to_string(sumOf(runs, &MappingFigures::wrong)),
+                 std::to_string(sumOf(runs, &MappingFigures::answers))});
     }
   }
   return table;

@@ -24,6 +24,7 @@ struct SuiteOptions {
   std::vector<std::string> drives;  ///< files of recorded ones
   double way = 200.0;               ///< [m]
   bool compass = true;
+  bool sums = false;  ///< a row for all seeds together
   OdometryNoise noise;
 };
 
