@@ -12,8 +12,10 @@ namespace {
 constexpr double kLostAfterClosure = 0.05;
 /// No tie may be further off than three sigma: of three numbers together [sigma^2].
 constexpr double kFarOff = 14.2;
-/// Share of the agreement that is asked on an average which no witness may fall short of.
+/// Share of the agreement that is asked on an average which of so many witnesses one may fall short
+/// of: people stand in the way, doors are shut.
 constexpr double kLeastAgreement = 0.65;
+constexpr std::size_t kOneFallsShort = 10;
 constexpr double kMostWait = 8.0;    ///< way for which places may wait for closures [m]
 constexpr double kRemembered = 3.0;  ///< places about by which a thinned scan is remembered [m]
 constexpr int kSteps = 15;           ///< of a relaxation after a change of what is known
@@ -35,16 +37,18 @@ const ClosureCandidate* Mapper::accepted(const ClosureCandidates& candidates, in
   const PlaceMatcher* places = shelf_.matcher(target);
   const ClosureCandidate* best = candidates.accepted(places ? places->size() : 0);
   if (!best || candidates.options().agreement == 0.0) return best;
-  double sum = 0.0, least = 1.0, count = 0.0;
+  const double asked = candidates.options().agreement;
+  double sum = 0.0;
+  std::size_t count = 0, short_of_it = 0;
   for (const Witness& witness : best->witnesses) {
     const auto agrees = newest_.agreeWith(witness.place, witness.node, witness.pose);
     if (!agrees) continue;
     sum += *agrees;
-    least = std::min(least, *agrees);
-    count += 1.0;
+    short_of_it += *agrees < kLeastAgreement * asked ? 1 : 0;
+    ++count;
   }
-  const double asked = candidates.options().agreement;
-  return sum >= asked * count && least >= kLeastAgreement * asked ? best : nullptr;
+  const bool agree = sum >= asked * static_cast<double>(count);
+  return agree && kOneFallsShort * short_of_it <= count ? best : nullptr;
 }
 
 bool Mapper::closeLoops(double way) {
