@@ -27,7 +27,8 @@ sim::SimulatedRobot robotWith(const std::vector<double>& bearings) {
 
 const std::vector<std::pair<std::string, std::vector<double>>> kFronts{
     {"8 in a fan", {-35, -25, -15, -5, 5, 15, 25, 35}},
-    {"8 Pioneer", {-90, -50, -30, -10, 10, 30, 50, 90}}};
+    {"8 Pioneer", {-90, -50, -30, -10, 10, 30, 50, 90}},
+    {"8 on 180", {-78.75, -56.25, -33.75, -11.25, 11.25, 33.75, 56.25, 78.75}}};
 
 /// Raw wheels: what they err by, they err by all the way.
 trials::DriveRecipe rawOdometry() {

@@ -22,6 +22,11 @@ constexpr double kLearns = 0.1;                    ///< weight of a spot in what
 constexpr double kFalters = 0.3;
 constexpr double kBreaks = 0.7;
 constexpr double kSurelyBreaks = 1.1;
+// Or so many times as far beyond as they mostly are: narrow cones along a wall now hear it, now
+// not.
+constexpr double kOftenBreaks = 4.0;
+constexpr double kOftenSurelyBreaks = 6.0;
+constexpr double kMostSpread = 0.5;             ///< of one spot: it may be where it was carried
 constexpr double kTurned = 25.0 * kPi / 180.0;  ///< more than iron turns a compass [rad]
 
 double logOdds(double share) { return std::log((share + 0.02) / (1.02 - share)); }
@@ -130,10 +135,13 @@ Spot ContinuityWatch::take() {
   }
   if (worst_) {
     const double beyond = logOdds(*worst_) - logOdds(usual_);
-    spot.readings = beyond > kSurelyBreaks ? Continuity::kSurelyBreaks
-                    : beyond > kBreaks     ? Continuity::kBreaks
-                    : beyond > kFalters    ? Continuity::kFalters
-                                           : Continuity::kGoesOn;
+    const double breaks = std::max(kBreaks, kOftenBreaks * spread_);
+    const double surely = std::max(kSurelyBreaks, kOftenSurelyBreaks * spread_);
+    spot.readings = beyond > surely     ? Continuity::kSurelyBreaks
+                    : beyond > breaks   ? Continuity::kBreaks
+                    : beyond > kFalters ? Continuity::kFalters
+                                        : Continuity::kGoesOn;
+    spread_ += kLearns * (std::min(std::abs(beyond), kMostSpread) - spread_);
     usual_ += kLearns * (*worst_ - usual_);
   }
   worst_.reset();

@@ -85,6 +85,7 @@ class ContinuityWatch {
   std::deque<Station> stations_;
   std::size_t next_ = 0;  ///< station to be judged
   double usual_ = 0.3;    ///< share of echoes that intrude, as a running mean of worst spots
+  double spread_ = 0.0;   ///< mean distance of their log odds from that
   /// Of the spots since it was asked last.
   std::optional<double> worst_;   ///< share of echoes that intrude
   double worst_way_ = 0.0;        ///< of that spot [m]
