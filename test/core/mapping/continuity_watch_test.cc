@@ -55,6 +55,7 @@ class Robot {
   int moment_ = 0;
 };
 
+constexpr int kMany = 12;  ///< sonars that hear nothing but somebody who stands by
 const Room kHall{6.0, 2.0}, kCloset{1.5, 0.8};
 
 std::size_t count(const std::vector<Spot>& spots, Continuity kind) {
@@ -97,6 +98,24 @@ TEST(ContinuityWatch, SomebodyWhoStepsBesideTheRobotIsNoBreak) {
   robot.blocked = 3;
   const std::vector<Spot> spots = robot.drive(kHall, 1.5);
   EXPECT_EQ(count(spots, Continuity::kBreaks) + count(spots, Continuity::kSurelyBreaks), 0U);
+}
+
+TEST(ContinuityWatch, WhereReadingsFlickerABreakHasToStandOut) {
+  const Room corridor{40.0, 2.0};
+  const auto broken = [](const std::vector<Spot>& spots) {
+    return count(spots, Continuity::kBreaks) + count(spots, Continuity::kSurelyBreaks);
+  };
+  Robot steady, flickering;
+  for (Robot* robot : {&steady, &flickering}) robot->putAt(-20.0);
+  for (int i = 0; i < 16; ++i) {
+    flickering.blocked = i % 2 == 0 ? 0 : kMany;
+    for (Robot* robot : {&steady, &flickering}) robot->drive(corridor, 1.0);
+  }
+  steady.blocked = flickering.blocked = 0;
+  for (Robot* robot : {&steady, &flickering}) robot->drive(corridor, 1.0);
+  steady.blocked = flickering.blocked = kMany;
+  EXPECT_GE(broken(steady.drive(corridor, 1.0)), 1U);
+  EXPECT_EQ(broken(flickering.drive(corridor, 1.0)), 0U);
 }
 
 TEST(ContinuityWatch, ACompassThatTurnsAloneIsSaid) {
