@@ -23,6 +23,7 @@ const std::vector<std::string>& sumsHeader();
 std::vector<std::string> sumsRow(const std::string& drives,
                                  const std::vector<MappingFigures>& runs);
 
+/// Of one figure that is counted.
 std::size_t sumOf(const std::vector<MappingFigures>& runs, std::size_t MappingFigures::*of);
 
 }  // namespace place_memory::mapping
