@@ -81,9 +81,7 @@ class ActionLink {
   }
 
   void onStatus(const actionlib_msgs::GoalStatusArray& statuses) {
-    for (const actionlib_msgs::GoalStatus& status : statuses.status_list) {
-      board_->change([&](PanelState& state) { state.hearGoal(name_, status.goal_id.id); });
-    }
+    board_->change([&](PanelState& state) { state.hearStatuses(name_, statuses, Clock::now()); });
   }
 
   void onFeedback(const ActionFeedback& message) {

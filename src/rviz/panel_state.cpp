@@ -1,9 +1,12 @@
 #include "rviz/panel_state.h"
 
+#include <actionlib_msgs/GoalStatus.h>
+
 #include <algorithm>
 #include <boost/lexical_cast/try_lexical_convert.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "node/names/node_names.h"
@@ -12,7 +15,21 @@
 namespace place_memory::panel {
 namespace {
 
+using actionlib_msgs::GoalStatus;
+
 constexpr std::size_t kShownMatches = 5;
+
+bool isOver(const GoalStatus& goal) {
+  switch (goal.status) {
+    case GoalStatus::PENDING:
+    case GoalStatus::ACTIVE:
+    case GoalStatus::PREEMPTING:
+    case GoalStatus::RECALLING:
+      return false;
+    default:
+      return true;
+  }
+}
 
 }  // namespace
 
@@ -125,9 +142,25 @@ void PanelState::sendGoal(const std::string& action, const std::string& id, Time
   view_.goals[action] = goal;
 }
 
-void PanelState::hearGoal(const std::string& action, const std::string& id) {
+void PanelState::hearStatuses(const std::string& action,
+                              const actionlib_msgs::GoalStatusArray& statuses, Time now) {
   const auto found = view_.goals.find(action);
-  if (found != view_.goals.end() && found->second.id == id) found->second.answered = true;
+  if (found == view_.goals.end()) return;
+  RunningGoal& goal = found->second;
+  const auto& list = statuses.status_list;
+  const auto status = std::find_if(list.begin(), list.end(), [&](const GoalStatus& listed) {
+    return listed.goal_id.id == goal.id;
+  });
+  const bool is_listed = status != list.end();
+  goal.answered = goal.answered || is_listed;
+  if (!goal.answered || (is_listed && !isOver(*status))) {
+    goal.over.reset();
+    return;
+  }
+  if (!goal.over) goal.over = now;
+  if (is_listed) {
+    goal.end = {action + ": " + status->text, status->status != GoalStatus::SUCCEEDED};
+  }
 }
 
 void PanelState::hearProgress(const std::string& action, const std::string& id,
@@ -161,15 +194,26 @@ void PanelState::endGoal(const std::string& action, const std::string& id,
 
 void PanelState::giveUpGoals(Time now) {
   for (auto goal = view_.goals.begin(); goal != view_.goals.end();) {
-    if (goal->second.answered || now - goal->second.sent < kGoalPatience) {
+    const std::optional<Note> word = lastWord(goal->first, goal->second, now);
+    if (!word) {
       ++goal;
       continue;
     }
-    say(view_.node + " has not answered to ~" + goal->first + " within " +
-            std::to_string(kGoalPatience.count()) + " s",
-        true);
+    view_.note = *word;
+    if (goal->second.over) ended_[goal->first] = goal->second.id;
     goal = view_.goals.erase(goal);
   }
+}
+
+std::optional<Note> PanelState::lastWord(const std::string& action, const RunningGoal& goal,
+                                         Time now) const {
+  if (goal.over && now - *goal.over >= kResultPatience) {
+    return goal.end.value_or(Note{"~" + action + " is over; its result was not heard", true});
+  }
+  if (goal.answered || now - goal.sent < kGoalPatience) return std::nullopt;
+  return Note{view_.node + " has not answered to ~" + action + " within " +
+                  std::to_string(kGoalPatience.count()) + " s",
+              true};
 }
 
 PanelView PanelState::view() const {

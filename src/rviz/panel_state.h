@@ -1,6 +1,7 @@
 #ifndef PLACE_MEMORY_RVIZ_PANEL_STATE_H
 #define PLACE_MEMORY_RVIZ_PANEL_STATE_H
 
+#include <actionlib_msgs/GoalStatusArray.h>
 #include <place_memory/MapChange.h>
 #include <place_memory/MapEvent.h>
 #include <place_memory/PlaceBelief.h>
@@ -11,6 +12,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "rviz/goal_progress.h"
@@ -21,6 +23,9 @@ namespace place_memory::panel {
 
 /// The node has so long to say something of a goal.
 constexpr std::chrono::seconds kGoalPatience(5);
+/// The result of a goal that is over may come so much later. It may have been sent before the
+/// subscriber's connection stood: then it never comes.
+constexpr std::chrono::seconds kResultPatience(1);
 
 /// What the messages of one node say, for whoever shows it.
 class PanelState {
@@ -53,13 +58,15 @@ class PanelState {
   void endCall(const std::string& service, const std::string& message, bool problem);
 
   void sendGoal(const std::string& action, const std::string& id, Time now);
-  /// The node knows of the goal.
-  void hearGoal(const std::string& action, const std::string& id);
+  /// What the node says, again and again, of the goals that it knows.
+  void hearStatuses(const std::string& action, const actionlib_msgs::GoalStatusArray& statuses,
+                    Time now);
   void hearProgress(const std::string& action, const std::string& id, const GoalProgress& progress,
                     Time now);
   void endGoal(const std::string& action, const std::string& id, const std::string& message,
                bool problem);
-  /// Gives up the goals of which the node has said nothing for too long.
+  /// Gives up the goals of which the node has said nothing for too long, and ends those that are
+  /// over though no result came.
   void giveUpGoals(Time now);
 
   void say(const std::string& sentence, bool problem) { view_.note = {sentence, problem}; }
@@ -68,6 +75,8 @@ class PanelState {
 
  private:
   void breakOff(const std::string& reason);
+  /// Where the goal is to be shown no longer.
+  std::optional<Note> lastWord(const std::string& action, const RunningGoal& goal, Time now) const;
 
   PanelView view_;  // without the places
   PlaceList places_;

@@ -25,6 +25,12 @@ struct LabelledProbability {
   }
 };
 
+/// A sentence for the person at the screen.
+struct Note {
+  std::string text;
+  bool is_problem = false;
+};
+
 /// A goal of an action that is under way, whoever asked for it.
 struct RunningGoal {
   std::string id;
@@ -33,12 +39,9 @@ struct RunningGoal {
   std::string message;
   bool answered = false;                       ///< the node has said something of it
   std::chrono::steady_clock::time_point sent;  ///< or first heard of
-};
-
-/// A sentence for the person at the screen.
-struct Note {
-  std::string text;
-  bool is_problem = false;
+  /// Since then the node says that it does not run, and its result has not come.
+  std::optional<std::chrono::steady_clock::time_point> over;
+  std::optional<Note> end;  ///< what the node says of that
 };
 
 /// A place that was chosen elsewhere than in the list.

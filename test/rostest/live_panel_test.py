@@ -3,9 +3,11 @@
 
 import os
 import signal
+import time
 
 import live_test
 from fake_drive import FakeDrive
+from fake_robot import STEP
 from panel import Panel, PanelError
 
 HELD = 1.0  # the thread that draws is held no longer, also on a machine with much to do [s]
@@ -18,6 +20,11 @@ class LivePanelTest(live_test.LiveTestCase):
         self.addCleanup(self.panel.close)
         self.panel.ask("node", self.node.name)
         self.wait_for_button("scan")
+
+    def _step(self):
+        """Nothing holds simulated time back for the panel: it goes no faster than the clock."""
+        super()._step()
+        time.sleep(STEP)
 
     def wait_for_button(self, name):
         self.hold(lambda: not self.panel.greyed(name), name + " to be enabled")

@@ -1,4 +1,8 @@
+#include <actionlib_msgs/GoalStatus.h>
+#include <actionlib_msgs/GoalStatusArray.h>
 #include <gtest/gtest.h>
+
+#include <string>
 
 #include "rviz/panel_state_fixture.h"
 
@@ -6,6 +10,17 @@ namespace place_memory::panel {
 namespace {
 
 using PanelGoalsTest = PanelStateTest;
+using actionlib_msgs::GoalStatus;
+
+actionlib_msgs::GoalStatusArray listed(const std::string& id, unsigned char status,
+                                       const std::string& text = "") {
+  actionlib_msgs::GoalStatusArray statuses;
+  statuses.status_list.resize(1);
+  statuses.status_list[0].goal_id.id = id;
+  statuses.status_list[0].status = status;
+  statuses.status_list[0].text = text;
+  return statuses;
+}
 
 TEST_F(PanelGoalsTest, AGoalIsUnderWayUntilItsResult) {
   state_.sendGoal("scan", "a", kNow);
@@ -66,7 +81,34 @@ TEST_F(PanelGoalsTest, AGoalWithoutAWordIsGivenUp) {
 
 TEST_F(PanelGoalsTest, AGoalThatTheNodeKnowsMayTakeItsTime) {
   state_.sendGoal("scan", "a", kNow);
-  state_.hearGoal("scan", "a");
+  state_.hearStatuses("scan", listed("a", GoalStatus::ACTIVE), kNow);
+  state_.giveUpGoals(kNow + seconds(600));
+  EXPECT_EQ(state_.view().goals.size(), 1U);
+}
+
+TEST_F(PanelGoalsTest, AGoalWhoseResultWasSentBeforeTheConnectionStoodEndsByItsStatus) {
+  state_.sendGoal("scan", "a", kNow);
+  state_.hearStatuses("scan", listed("a", GoalStatus::SUCCEEDED, "176 readings"), kNow);
+  state_.giveUpGoals(kNow);
+  EXPECT_EQ(state_.view().goals.size(), 1U) << "the result may be on its way";
+  state_.giveUpGoals(kNow + seconds(2));
+  EXPECT_TRUE(state_.view().goals.empty());
+  EXPECT_EQ(state_.view().note.text, "scan: 176 readings");
+  EXPECT_FALSE(state_.view().note.is_problem);
+}
+
+TEST_F(PanelGoalsTest, AGoalThatIsNoLongerListedIsOver) {
+  state_.hearProgress("scan", "a", {0.5, {}, ""}, kNow);
+  state_.hearStatuses("scan", {}, kNow);
+  state_.giveUpGoals(kNow + seconds(2));
+  EXPECT_TRUE(state_.view().goals.empty());
+  EXPECT_EQ(state_.view().note.text, "~scan is over; its result was not heard");
+}
+
+TEST_F(PanelGoalsTest, AStatusFromBeforeTheGoalEndsNothing) {
+  state_.hearProgress("scan", "a", {0.1, {}, ""}, kNow);
+  state_.hearStatuses("scan", {}, kNow);
+  state_.hearStatuses("scan", listed("a", GoalStatus::ACTIVE), kNow);
   state_.giveUpGoals(kNow + seconds(600));
   EXPECT_EQ(state_.view().goals.size(), 1U);
 }
