@@ -70,7 +70,7 @@ function(place_memory_add_shared part)
   target_compile_features(${target} INTERFACE cxx_std_17)
   target_link_libraries(${target} ${ARGN})
   target_link_options(${target} PRIVATE -Wl,--exclude-libs,ALL)
-  # Before 1.0 a minor version may change what is linked.
+  # A minor version may change what is linked: its classes have members by value.
   set_target_properties(${target} PROPERTIES
     LINKER_LANGUAGE CXX
     OUTPUT_NAME place_memory_${part}

@@ -153,10 +153,9 @@ void PanelState::hearStatuses(const std::string& action,
   });
   const bool is_listed = status != list.end();
   goal.answered = goal.answered || is_listed;
-  if (!goal.answered || (is_listed && !isOver(*status))) {
-    goal.over.reset();
-    return;
-  }
+  goal.listed = goal.listed || is_listed;
+  // A list from before the goal may come late.
+  if (!goal.listed || (is_listed && !isOver(*status))) return;
   if (!goal.over) goal.over = now;
   if (is_listed) {
     goal.end = {action + ": " + status->text, status->status != GoalStatus::SUCCEEDED};

@@ -38,6 +38,7 @@ struct RunningGoal {
   double longest_left = 0.0;       ///< of the times that it was said to take still [s]
   std::string message;
   bool answered = false;                       ///< the node has said something of it
+  bool listed = false;                         ///< among the goals that the node knows
   std::chrono::steady_clock::time_point sent;  ///< or first heard of
   /// Since then the node says that it does not run, and its result has not come.
   std::optional<std::chrono::steady_clock::time_point> over;

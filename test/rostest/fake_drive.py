@@ -43,6 +43,9 @@ class FakeDrive:
             msg.ExploreFeedback(message="looks round", places=3, frontiers=2, distance=12.0),
             msg.ExploreResult(message="nothing is left"))
 
+    def output(self):
+        return "goals: %s, %s" % (self.go_to_place.goals, self.explore.goals)
+
     @staticmethod
     def _answer(_):
         graph = msg.PlaceGraph(version=1, places=[msg.Place(id=1, label="hall")])

@@ -26,6 +26,11 @@ class LivePanelTest(live_test.LiveTestCase):
         super()._step()
         time.sleep(STEP)
 
+    def fail(self, message=None):
+        super().fail("%s\nthe panel says \"%s\"; %s; greyed: \"%s\", \"%s\"" % (
+            message, self.panel.shows("note"), self.panel.shows("progress"),
+            self.panel.greyed("scan"), self.panel.greyed("go_to")))
+
     def wait_for_button(self, name):
         self.hold(lambda: not self.panel.greyed(name), name + " to be enabled")
 
@@ -92,7 +97,7 @@ class LivePanelTest(live_test.LiveTestCase):
 
     def drive(self):
         """The panel beside a node that drives."""
-        drive = FakeDrive("/drive_%d" % os.getpid())
+        self.node = drive = FakeDrive("/drive_%d" % os.getpid())
         self.panel = Panel(os.path.join(self.folder, "panel.log"))
         self.addCleanup(self.panel.close)
         self.panel.ask("node", drive.name)

@@ -98,7 +98,7 @@ TEST_F(PanelGoalsTest, AGoalWhoseResultWasSentBeforeTheConnectionStoodEndsByItsS
 }
 
 TEST_F(PanelGoalsTest, AGoalThatIsNoLongerListedIsOver) {
-  state_.hearProgress("scan", "a", {0.5, {}, ""}, kNow);
+  state_.hearStatuses("scan", listed("a", GoalStatus::ACTIVE), kNow);
   state_.hearStatuses("scan", {}, kNow);
   state_.giveUpGoals(kNow + seconds(2));
   EXPECT_TRUE(state_.view().goals.empty());
@@ -108,7 +108,6 @@ TEST_F(PanelGoalsTest, AGoalThatIsNoLongerListedIsOver) {
 TEST_F(PanelGoalsTest, AStatusFromBeforeTheGoalEndsNothing) {
   state_.hearProgress("scan", "a", {0.1, {}, ""}, kNow);
   state_.hearStatuses("scan", {}, kNow);
-  state_.hearStatuses("scan", listed("a", GoalStatus::ACTIVE), kNow);
   state_.giveUpGoals(kNow + seconds(600));
   EXPECT_EQ(state_.view().goals.size(), 1U);
 }
