@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kTableRows = 5;
 constexpr int kListRows = 6;       // at the least
-constexpr int kLeastHeight = 560;  // in which the buttons and the newest answer are seen [pixels]
+constexpr int kLeastHeight = 380;  // beside rviz's displays on a screen of 720 lines [pixels]
 
 template <class Widget>
 Widget* named(Widget* widget, const char* name) {

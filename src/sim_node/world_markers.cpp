@@ -47,9 +47,10 @@ void addOutline(const sim::Circle& circle, Marker& lines) {
 visualization_msgs::MarkerArray toMarkers(const sim::Scene& scene, const std::string& frame) {
   Marker lines = makeMarker(frame, "outline", Marker::LINE_LIST);
   lines.scale.x = kLineWidth;
-  lines.color.r = 0.3F;
-  lines.color.g = 0.3F;
-  lines.color.b = 0.35F;
+  // As well to be seen on a dark background as on a bright one: 3.5 times as bright, and as dark.
+  lines.color.r = 0.42F;
+  lines.color.g = 0.45F;
+  lines.color.b = 0.5F;
   for (const sim::Segment& segment : scene.segments()) {
     lines.points.push_back(toPoint(segment.a, kWorldLevel));
     lines.points.push_back(toPoint(segment.b, kWorldLevel));

@@ -78,7 +78,7 @@ class LiveFusedMapTest(live_test.LiveTestCase):
         self.start()
         self.learn("hall", sonar_room.HALL)
         hall = self.wait_for_map(lambda message: not without_map(message), "the hall's map")
-        self.assertEqual(value_at(hall, 0.6, 0.0), EMPTY)
+        self.assertEqual(value_at(hall, 0.6, 0.0), EMPTY, self.node.output())
         self.assertTrue(has_wall(hall, 0.0, 1.5) and has_wall(hall, 0.0, -1.5))
         self.assertEqual(value_at(hall, 20.0, 0.0), UNKNOWN)
         self.assertEqual(len(hall.data), hall.info.width * hall.info.height)

@@ -98,6 +98,7 @@ TEST_F(PanelGoalsTest, AGoalWhoseResultWasSentBeforeTheConnectionStoodEndsByItsS
 }
 
 TEST_F(PanelGoalsTest, AGoalThatIsNoLongerListedIsOver) {
+  state_.sendGoal("scan", "a", kNow);
   state_.hearStatuses("scan", listed("a", GoalStatus::ACTIVE), kNow);
   state_.hearStatuses("scan", {}, kNow);
   state_.giveUpGoals(kNow + seconds(2));

@@ -3,13 +3,22 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <ctime>
 #include <exception>
 #include <utility>
 
 namespace place_memory::node {
 namespace {
 
-constexpr int kPauses = 19;  // as long as the task took
+constexpr int kPauses = 19;  // as long as the task was at work
+
+/// That this thread was at work. The clock on the wall counts what other programs do meanwhile: on
+/// a busy machine a task would come a minute late.
+std::chrono::nanoseconds workTime() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
+}
 
 }  // namespace
 
@@ -43,12 +52,11 @@ void RatedTask::run() {
     if (stopped_) return;
     requested_ = false;
     lock.unlock();
-    const auto begin = std::chrono::steady_clock::now();
+    const std::chrono::nanoseconds begin = workTime();
     doTask();
-    const auto end = std::chrono::steady_clock::now();
+    const auto pause = std::max(least_pause_, kPauses * (workTime() - begin));
     lock.lock();
-    const auto pause = std::max<std::chrono::nanoseconds>(least_pause_, kPauses * (end - begin));
-    if (changed_.wait_until(lock, end + pause, [this] { return stopped_; })) return;
+    if (changed_.wait_for(lock, pause, [this] { return stopped_; })) return;
   }
 }
 

@@ -13,8 +13,8 @@ namespace place_memory::node {
 /// Does on a thread of its own what may be asked for oftener than it should be done.
 ///
 /// After each request it is done once from the beginning, at once or when the pause after the last
-/// time is over; requests that come meanwhile are one. What takes long pauses for longer, so that
-/// it takes one part in twenty of a core at most.
+/// time is over; requests that come meanwhile are one. What has much to do pauses for longer, so
+/// that it takes one part in twenty of a core at most.
 class RatedTask {
  public:
   /// `what`: for the log, should the task throw.

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <future>
 #include <stdexcept>
+#include <thread>
 
 namespace place_memory::node {
 namespace {
@@ -45,6 +46,26 @@ TEST(RatedTask, ManyRequestsAreFewAndTheLastOneCounts) {
     ASSERT_EQ(saw_last.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
   }
   EXPECT_LE(runs, 2 + (steady_clock::now() - begin) / kPause);
+}
+
+TEST(RatedTask, ATaskThatWaitsDoesNotPauseForLonger) {
+  std::promise<void> first, second;
+  std::atomic<int> runs{0};
+  RatedTask task(
+      "task",
+      [&] {
+        if (++runs == 1) {
+          std::this_thread::sleep_for(milliseconds(500));  // 9.5 s of pause if it were work
+          first.set_value();
+        } else if (runs == 2) {
+          second.set_value();
+        }
+      },
+      milliseconds(1));
+  task.request();
+  first.get_future().wait();
+  task.request();
+  EXPECT_EQ(second.get_future().wait_for(std::chrono::seconds(8)), std::future_status::ready);
 }
 
 TEST(RatedTask, NothingBeginsAfterItsEnd) {
