@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QScrollArea>
+#include <QSize>
 #include <QSizePolicy>
 #include <QString>
 #include <QVBoxLayout>
@@ -15,6 +16,12 @@ namespace {
 constexpr int kTableRows = 5;
 constexpr int kListRows = 6;       // at the least
 constexpr int kLeastHeight = 380;  // beside rviz's displays on a screen of 720 lines [pixels]
+
+/// Wants room for all that is in it; Qt's own wants no more than some twenty lines.
+class FormArea : public QScrollArea {
+ public:
+  QSize sizeHint() const override { return widget()->sizeHint(); }
+};
 
 template <class Widget>
 Widget* named(Widget* widget, const char* name) {
@@ -146,7 +153,7 @@ QWidget* makePlaces(PanelForm& form) {
 
 PanelForm::PanelForm(QWidget* panel) {
   // On a small screen it is scrolled, and rviz's window need not grow.
-  auto* area = new QScrollArea;
+  auto* area = new FormArea;
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

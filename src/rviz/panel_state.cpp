@@ -70,11 +70,13 @@ bool PanelState::beginGraph() {
 void PanelState::setGraph(const PlaceGraph& graph) {
   view_.calls.erase(node::kGetGraphService);
   places_.reset(graph);
+  if (view_.note.text == graph_problem_) view_.note = {};
   wants_graph_ = graph.version < newest_version_;  // it was overtaken on its way
 }
 
 void PanelState::failGraph(const std::string& message) {
   view_.calls.erase(node::kGetGraphService);
+  graph_problem_ = message;
   say(message, true);
 }
 

@@ -83,6 +83,7 @@ class PanelState {
   std::map<std::string, std::string> ended_;  // newest goal of each action that ended
   std::uint64_t newest_version_ = 0;          // of the map, as the newest change has it
   bool wants_graph_ = true;
+  std::string graph_problem_;  ///< that was said last; the map is asked for again by itself
 };
 
 }  // namespace place_memory::panel

@@ -72,6 +72,16 @@ TEST_F(PanelStateTest, ANodeThatIsStartedAnewIsAskedForItsMap) {
   EXPECT_FALSE(state_.beginGraph()) << "it was asked for already";
 }
 
+TEST_F(PanelStateTest, AMapThatCouldNotBeHadIsNoProblemOnceItComes) {
+  state_.setPresence(there("robot:2"));
+  ASSERT_TRUE(state_.beginGraph());
+  state_.failGraph("~get_graph cannot be reached");
+  EXPECT_EQ(state_.view().note.text, "~get_graph cannot be reached");
+  ASSERT_TRUE(state_.beginGraph());
+  state_.setGraph({});
+  EXPECT_EQ(state_.view().note.text, "");
+}
+
 TEST_F(PanelStateTest, TheMapIsNotAskedForWhileTheNodeIsAway) {
   state_.setPresence(there("robot:2"));
   state_.setPresence(away());
