@@ -29,6 +29,7 @@ constexpr double kHome = 1.0;         // [m]
 constexpr double kReach = 4.572;      // of the sonars [m]
 constexpr double kLostDoubt = 3.0;    // [m]
 constexpr double kLostTime = 900.0;   // [s]
+constexpr double kSameTarget = 1.0;   // a target that moved no further is the same one [m]
 
 double between(const Pose2d& one, const Pose2d& other) {
   return std::hypot(one.x - other.x, one.y - other.y);
@@ -68,7 +69,7 @@ class Robot {
     // Wheels that push against something turn it away.
     if (step.is_blocked) step = simulator_.step(0.0, turn);
     newest_ = std::move(step.moment);
-    way_ += step.forward;
+    way_ += std::abs(step.forward);
     recorder_.feed(newest_);
     const auto& ring = sim::SimulatedRobot{}.ring;
     for (const core::SonarReading& reading : newest_.readings) {
@@ -79,6 +80,7 @@ class Robot {
       echoes_.hear(sensor, now(), reading.sensor_pose, reading.range);
     }
     way_in_truth_.push_back(simulator_.base());
+    ticks_.push_back({tasks_, aim_, way_});
     follow();
   }
 
@@ -139,7 +141,9 @@ class Robot {
   void decide() {
     const std::clock_t begin = std::clock();
     layPlaces();
+    const std::optional<Explorer::Task> before = explorer_->task();
     explorer_->decide(map_.cells(map_from_odom_), moment());
+    countTask(before);
     const double cost = 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     cost_ += cost;
     longest_ = std::max(longest_, cost);
@@ -147,6 +151,15 @@ class Robot {
     decided_at_ = way_;
     at_ = 0;
     leg_.reset();
+  }
+
+  void countTask(const std::optional<Explorer::Task>& before) {
+    const std::optional<Explorer::Task>& task = explorer_->task();
+    if (!task) return;
+    const bool is_same =
+        before && before->aim == task->aim && between(before->target, task->target) < kSameTarget;
+    if (!is_same) ++tasks_;
+    aim_ = task->aim;
   }
 
   void step() {
@@ -186,8 +199,12 @@ class Robot {
                                                                           : "bound reached";
     const TrueFloor floor(simulator_.scene(), begin_, trials::DriveSimulator::kBaseRadius, kReach);
     result.way = way_;
-    result.seen = floor.seenShare(way_in_truth_);
-    result.tour = floor.tour(result.seen);
+    const std::vector<double> seen = floor.seenShares(way_in_truth_);
+    result.seen = seen.back();
+    result.account = accountOf(ticks_, seen, floor.area());
+    const TrueFloor::Tour tour = floor.tour(result.seen);
+    result.tour = tour.length;
+    result.viewpoints = tour.viewpoints;
     result.time = time();
     result.blocked = blocked_;
     result.loops = explorer_->loopsSought();
@@ -224,7 +241,10 @@ class Robot {
   std::size_t blocked_ = 0;
   double cost_ = 0.0, longest_ = 0.0;
   int decisions_ = 0;
+  std::size_t tasks_ = 0;
+  Explorer::Aim aim_ = Explorer::Aim::kFrontier;
   std::vector<Pose2d> way_in_truth_;
+  std::vector<TickOfTask> ticks_;  ///< of each of these
 };
 
 }  // namespace

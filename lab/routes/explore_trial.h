@@ -10,6 +10,7 @@
 #include "core/explore/explorer.h"
 #include "core/map/kept_map.h"
 #include "mapping/mapping_figures.h"
+#include "routes/explore_account.h"
 #include "sim/world/world.h"
 #include "trials/simulated_drive.h"
 
@@ -26,12 +27,14 @@ struct ExploreRecipe {
 
 /// What became of an exploration.
 struct ExploreResult {
-  bool is_done = false;           ///< it said so
-  bool is_home = false;           ///< it stands within a metre of where it began
-  std::string ended;              ///< how, in words
-  double way = 0.0;               ///< driven in truth [m]
-  double seen = 0.0;              ///< share of the floor that it can get to, see TrueFloor
-  double tour = 0.0;              ///< of a robot that knows the floor, to see as much [m]
+  bool is_done = false;        ///< it said so
+  bool is_home = false;        ///< it stands within a metre of where it began
+  std::string ended;           ///< how, in words
+  double way = 0.0;            ///< driven in truth, backwards too [m]
+  double seen = 0.0;           ///< share of the floor that it can get to, see TrueFloor
+  double tour = 0.0;           ///< of a robot that knows the floor, to see as much [m]
+  std::size_t viewpoints = 0;  ///< of that tour
+  ExploreAccount account;
   double time = 0.0;              ///< [s]
   std::size_t blocked = 0;        ///< times
   std::size_t loops = 0;          ///< gone back for

@@ -22,9 +22,38 @@ namespace {
 using experiments::fixed;
 
 struct Sums {
-  int runs = 0, done = 0, home = 0, seen = 0, quick = 0;
-  double ratio = 0.0;
+  int runs = 0, done = 0, home = 0, seen_enough = 0, quick = 0;
+  double seen = 0.0, ratio = 0.0;
+  double to_frontiers = 0.0, in_vain = 0.0;  ///< [m]
+  std::size_t false_ties = 0, wrong = 0, answers = 0;
 };
+
+void add(const routes::ExploreResult& found, Sums& sums) {
+  const double ratio = found.way / std::max(found.tour, 1.0);
+  ++sums.runs;
+  sums.done += found.is_done ? 1 : 0;
+  sums.home += found.is_home ? 1 : 0;
+  sums.seen_enough += found.seen >= 0.95 ? 1 : 0;
+  sums.quick += ratio <= 1.6 ? 1 : 0;
+  sums.seen += found.seen;
+  sums.ratio += ratio;
+  sums.to_frontiers += found.account.fruitful + found.account.fruitless;
+  sums.in_vain += found.account.fruitless;
+  sums.false_ties += found.map.false_ties;
+  sums.wrong += found.map.wrong;
+  sums.answers += found.map.answers;
+}
+
+void write(const Sums& sums) {
+  const double runs = std::max(sums.runs, 1);
+  std::cout << "\nOf " << sums.runs << ": " << sums.done << " say that they are done, " << sums.home
+            << " come home, " << sums.seen_enough << " see 95 % or more, " << sums.quick
+            << " drive 1.6 tours or less. On an average " << fixed(100.0 * sums.seen / runs, 1)
+            << " % are seen and " << fixed(sums.ratio / runs, 2) << " tours driven. Of "
+            << fixed(sums.to_frontiers, 0) << " m to frontiers " << fixed(sums.in_vain, 0)
+            << " in vain; " << sums.false_ties << " false ties, " << sums.wrong << " of "
+            << sums.answers << " answers wrong.\n";
+}
 
 std::vector<std::string> row(const std::string& name, const routes::ExploreResult& found) {
   return {name,
@@ -32,6 +61,13 @@ std::vector<std::string> row(const std::string& name, const routes::ExploreResul
           fixed(found.tour, 0),
           fixed(found.way / std::max(found.tour, 1.0), 2),
           fixed(100.0 * found.seen, 1),
+          std::to_string(found.viewpoints),
+          fixed(found.account.enough, 0),
+          fixed(found.account.fruitful, 0),
+          fixed(found.account.fruitless, 0),
+          fixed(found.account.loops, 0),
+          fixed(found.account.home, 0),
+          std::to_string(found.account.in_vain) + " of " + std::to_string(found.account.tasks),
           found.ended,
           found.is_home ? "yes" : "no",
           fixed(found.time / 60.0, 0),
@@ -75,9 +111,12 @@ int run(const po::variables_map& given) {
   recipe.explorer.squeeze = given["squeeze"].as<double>();
   recipe.explorer.worth_a_try = given["worth"].as<double>();
   if (!recipe.compass) recipe.drive.compass_sigma = -1.0;
-  experiments::Table table({"building", "way", "tour", "ratio", "seen %", "ended", "home", "min",
-                            "blocked", "loops sought", "left", "places", "doubled", "false ties",
-                            "wrong", "rms", "ms to decide", "longest"});
+  experiments::Table table(
+      {"building",    "way",          "tour",       "ratio",    "seen %",       "viewpoints",
+       "way to 95 %", "to new floor", "in vain",    "to loops", "home",         "frontiers in vain",
+       "ended",       "home",         "min",        "blocked",  "loops sought", "left",
+       "places",      "doubled",      "false ties", "wrong",    "rms",          "ms to decide",
+       "longest"});
   Sums sums;
   const int seeds = given["seeds"].as<int>();
   for (const std::string& name : given["world"].as<std::vector<std::string>>()) {
@@ -101,20 +140,11 @@ int run(const po::variables_map& given) {
           std::cerr << "  left " << left.spot.x << ' ' << left.spot.y << ": " << left.why << '\n';
         }
       }
-      const double ratio = found.way / std::max(found.tour, 1.0);
-      ++sums.runs;
-      sums.done += found.is_done ? 1 : 0;
-      sums.home += found.is_home ? 1 : 0;
-      sums.seen += found.seen >= 0.95 ? 1 : 0;
-      sums.quick += ratio <= 1.6 ? 1 : 0;
-      sums.ratio += ratio;
+      add(found, sums);
     }
   }
   table.writeMarkdown(std::cout);
-  std::cout << "\nOf " << sums.runs << ": " << sums.done << " say that they are done, " << sums.home
-            << " come home, " << sums.seen << " see 95 % or more, " << sums.quick
-            << " drive 1.6 tours or less; mean " << fixed(sums.ratio / std::max(sums.runs, 1), 2)
-            << "\n";
+  write(sums);
   return 0;
 }
 

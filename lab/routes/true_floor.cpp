@@ -10,8 +10,10 @@
 namespace place_memory::routes {
 namespace {
 
-constexpr double kCell = 0.1;     // [m]
-constexpr double kOpaque = 0.04;  // a cell with something so near its middle stops sight [m]
+constexpr double kCell = 0.1;  // [m]
+// A cell with something so near its middle stops sight [m]: half a diagonal, or walls, which have
+// no thickness, would fall between two cells.
+constexpr double kOpaque = 0.0708;
 constexpr int kRays = 720;
 constexpr double kLookEvery = 0.25;  // of the way [m]
 constexpr std::size_t kLattice = 5;  // of candidates for viewpoints [cells]
@@ -117,21 +119,26 @@ void TrueFloor::look(const core::Pose2d& from, std::vector<Cell>& found) const {
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-double TrueFloor::seenShare(const std::vector<core::Pose2d>& way) const {
+double TrueFloor::area() const { return static_cast<double>(reached_.size()) * kCell * kCell; }
+
+std::vector<double> TrueFloor::seenShares(const std::vector<core::Pose2d>& way) const {
+  std::vector<double> shares;
   Seen seen(room_.size(), 0);
   std::size_t count = 0;
   std::vector<Cell> found;
   const core::Pose2d* last = nullptr;
   for (const core::Pose2d& spot : way) {
-    if (last && std::hypot(spot.x - last->x, spot.y - last->y) < kLookEvery) continue;
-    last = &spot;
-    look(spot, found);
-    for (const Cell cell : found) {
-      count += seen[cell] == 0 ? 1 : 0;
-      seen[cell] = 1;
+    if (!last || std::hypot(spot.x - last->x, spot.y - last->y) >= kLookEvery) {
+      last = &spot;
+      look(spot, found);
+      for (const Cell cell : found) {
+        count += seen[cell] == 0 ? 1 : 0;
+        seen[cell] = 1;
+      }
     }
+    shares.push_back(static_cast<double>(count) / static_cast<double>(reached_.size()));
   }
-  return static_cast<double>(count) / static_cast<double>(reached_.size());
+  return shares;
 }
 
 std::vector<TrueFloor::Cell> TrueFloor::viewpoints(double share) const {
@@ -188,7 +195,7 @@ std::vector<float> TrueFloor::lengthsFrom(Cell from) const {
   return lengths;
 }
 
-double TrueFloor::tour(double share) const {
+TrueFloor::Tour TrueFloor::tour(double share) const {
   std::vector<Cell> spots{start_};
   for (const Cell cell : viewpoints(share)) spots.push_back(cell);
   std::vector<std::vector<float>> lengths;
@@ -203,7 +210,7 @@ double TrueFloor::tour(double share) const {
   for (std::size_t i = 0; i < tour.size(); ++i) {
     sum += static_cast<double>(lengths[tour[i]][tour[(i + 1) % tour.size()]]);
   }
-  return sum;
+  return {sum, spots.size() - 1};
 }
 
 }  // namespace place_memory::routes

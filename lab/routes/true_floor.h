@@ -17,16 +17,20 @@ class TrueFloor {
   TrueFloor(const sim::Scene& scene, const core::Pose2d& start, double radius, double reach);
 
   /// Share of the cells that the robot can get to which lie within its sensors' reach, with nothing
-  /// between, of some spot of the way.
-  double seenShare(const std::vector<core::Pose2d>& way) const;
+  /// between, of some spot of the way until there; by spot.
+  std::vector<double> seenShares(const std::vector<core::Pose2d>& way) const;
 
+  struct Tour {
+    double length = 0.0;         ///< [m]
+    std::size_t viewpoints = 0;  ///< beside the start
+  };
   /// Way of a robot that knows the floor, from the start to spots that show so large a share of it,
-  /// and back [m]. The spots are chosen greedily, each the one that shows most that was not shown
+  /// and back. The spots are chosen greedily, each the one that shows most that was not shown
   /// yet; the tour is that of nearest neighbours, bettered by 2-opt; ways between them are the
   /// shortest ones.
-  double tour(double share) const;
+  Tour tour(double share) const;
 
-  std::size_t cells() const { return reached_.size(); }  ///< that the robot can get to
+  double area() const;  ///< that the robot can get to [m^2]
 
  private:
   using Cell = std::size_t;
