@@ -30,7 +30,7 @@ struct Twin {
 };
 
 struct TwinOptions {
-  std::size_t most = 3;               ///< twins of one place
+  std::size_t most = 10;              ///< twins of one place
   double least_likeness = 0.3;        ///< in [0, 1]
   double heading_window = kPi / 4.0;  ///< how far the compass may be off [rad]
 };
