@@ -5,6 +5,7 @@
 #include <string>
 
 #include "config/load_parameters.h"
+#include "core/sensing/scan_changes.h"
 #include "mapping/mapping_worlds.h"
 #include "reports/change_trial.h"
 #include "reports/twin_trial.h"
@@ -101,7 +102,7 @@ int run(const po::variables_map& given) {
 
 int main(int argc, char** argv) {
   const core::TwinOptions twins;
-  const core::GridChangeOptions changes;
+  const core::GridChangeOptions& changes = core::kScanChangeOptions;
   po::options_description options("usage: place_memory_reports twins|changes [--world F.yaml]");
   auto add = options.add_options();
   add("help", "show this");

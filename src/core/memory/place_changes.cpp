@@ -21,15 +21,14 @@ std::vector<PlaceChange> changesSinceLearned(const PlaceMap& map, const PlaceSto
 }
 
 std::vector<GridChange> changesSeen(const PlaceStore& store, PlaceId place, const Scan& scan,
-                                    const Pose2d& place_from_scan, const SonarModelOptions& sonar,
-                                    const GridChangeOptions& options) {
+                                    const Pose2d& place_from_scan, const SonarModelOptions& sonar) {
   const EvidenceGrid grid = store.grid(place);
   const std::vector<SonarReading> learned = store.readings(place);
   const std::vector<SonarReading> now = movedReadings(scan.readings, place_from_scan);
   if (learned.empty()) {
-    return changesBetween(grid, SonarModel(sonar).build(now, grid.geometry()), options);
+    return changesBetween(grid, SonarModel(sonar).build(now, grid.geometry()));
   }
-  return changesBetween(learned, now, sonar, grid.geometry(), options);
+  return changesBetween(learned, now, sonar, grid.geometry());
 }
 
 }  // namespace place_memory::core

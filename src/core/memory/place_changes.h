@@ -28,8 +28,7 @@ std::vector<PlaceChange> changesSinceLearned(const PlaceMap& map, const PlaceSto
 /// the readings it was learned from; by its grid where they are not known. `place_from_scan` is the
 /// alignment. Throws StoreError.
 std::vector<GridChange> changesSeen(const PlaceStore& store, PlaceId place, const Scan& scan,
-                                    const Pose2d& place_from_scan, const SonarModelOptions& sonar,
-                                    const GridChangeOptions& options = {});
+                                    const Pose2d& place_from_scan, const SonarModelOptions& sonar);
 
 }  // namespace place_memory::core
 

@@ -9,6 +9,9 @@
 
 namespace place_memory::core {
 
+/// Chosen in the simulated office; `place_memory_reports changes` says how often they are right.
+constexpr GridChangeOptions kScanChangeOptions{30, 3};
+
 /// What has changed from one scan to the other, both in the frame of the grid: the largest first.
 ///
 /// Sound that passed a cell counts twice as much here as in a grid that places are known by. In an
@@ -17,7 +20,7 @@ namespace place_memory::core {
 std::vector<GridChange> changesBetween(const std::vector<SonarReading>& before,
                                        const std::vector<SonarReading>& now,
                                        const SonarModelOptions& sonar, const GridGeometry& geometry,
-                                       const GridChangeOptions& options = {});
+                                       const GridChangeOptions& options = kScanChangeOptions);
 
 }  // namespace place_memory::core
 
