@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "config/memory_options.h"
 #include "core/sensing/moved_readings.h"
+#include "core/sensing/scan_changes.h"
 #include "place_memory/core/place_memory.h"
 #include "place_memory/core/sonar_model.h"
 #include "sim/scene/scene.h"
@@ -25,7 +27,7 @@ using sim::Vec2;
 constexpr double kDoorInSight = 1.5;  // [m]
 constexpr double kAside = 0.45;
 constexpr double kInSight = 3.0;    // of a door or a thing [m]
-constexpr double kAtDoor = 0.6;     // from the middle of a change to that of the door [m]
+constexpr double kAtDoor = 0.2;     // from the middle of a change to the closed panel [m]
 constexpr double kAtThing = 0.6;    // likewise [m]
 constexpr double kExcused = 0.8;    // a change so near to what changed is no false one [m]
 constexpr double kMoved = 0.3;      // things that moved by less were not moved [m]
@@ -61,6 +63,16 @@ bool isStraightBefore(const sim::Door& door, const Vec2& eye) {
   return std::abs(before) <= kDoorInSight && std::abs(aside) <= kAside * std::abs(before);
 }
 
+/// How far a spot lies from the panel of a closed door [m].
+double fromClosedPanel(const sim::Door& door, const Vec2& spot) {
+  const double x = door.latch.x - door.hinge.x;
+  const double y = door.latch.y - door.hinge.y;
+  const double along =
+      ((spot.x - door.hinge.x) * x + (spot.y - door.hinge.y) * y) / (x * x + y * y);
+  const double share = std::clamp(along, 0.0, 1.0);
+  return distance(spot, {door.hinge.x + share * x, door.hinge.y + share * y});
+}
+
 /// Something that stood in one spot and stands in another.
 struct Move {
   Vec2 from;
@@ -91,6 +103,7 @@ class Trial {
   Trial(const sim::World& world, std::uint64_t seed, const config::Parameters& parameters,
         const core::GridChangeOptions& options)
       : rng_(seed),
+        sonar_options_(parameters.sonar),
         sonar_(parameters.sonar),
         geometry_(parameters.grid),
         options_(options),
@@ -107,7 +120,7 @@ class Trial {
   ChangeScore run() {
     for (const sim::Place& place : before_.places) {
       core::Scan scan = scanAt(scene_before_, {place.position.x, place.position.y, 0.0});
-      memory_.learn(scan, place.label, true);
+      learned_[memory_.learn(scan, place.label, true).place.id] = scan.readings;
     }
     for (const sim::Place& place : before_.places) visit(place);
     return score_;
@@ -148,9 +161,9 @@ class Trial {
     if (answer.recognition.verdict != core::Verdict::kRecognized) return;
     if (answer.labels.front() != place.label) return;
     const core::PlaceMatch& match = answer.recognition.matches.front();
-    const core::EvidenceGrid now =
-        sonar_.build(core::movedReadings(scan.readings, match.place_from_scan), geometry_);
-    const auto changes = core::changesBetween(memory_.grid(match.id), now, options_);
+    const auto changes = core::changesBetween(
+        learned_.at(match.id), core::movedReadings(scan.readings, match.place_from_scan),
+        sonar_options_, geometry_, options_);
     ++score_.places;
     score_.changes += changes.size();
     judgeDoors(place, changes);
@@ -176,7 +189,8 @@ class Trial {
       const bool is_flipped = was_open != after_.doors[i].open;
       const bool says_flipped =
           std::any_of(changes.begin(), changes.end(), [&](const core::GridChange& change) {
-            return change.appeared == was_open && distance(spotOf(place, change), door) <= kAtDoor;
+            return change.appeared == was_open &&
+                   fromClosedPanel(before_.doors[i], spotOf(place, change)) <= kAtDoor;
           });
       ++score_.doors;
       score_.doors_flipped += is_flipped ? 1 : 0;
@@ -215,10 +229,12 @@ class Trial {
 
   sim::Rng rng_;
   sim::SimulatedRobot robot_;
+  core::SonarModelOptions sonar_options_;
   core::SonarModel sonar_;
   core::GridGeometry geometry_;
   core::GridChangeOptions options_;
   core::PlaceMemory memory_;
+  std::map<core::PlaceId, std::vector<core::SonarReading>> learned_;
   sim::World before_;
   sim::World after_;
   sim::Scene scene_before_;

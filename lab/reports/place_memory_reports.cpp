@@ -5,6 +5,8 @@
 #include <string>
 
 #include "config/load_parameters.h"
+#include "core/sensing/scan_changes.h"
+#include "mapping/mapping_worlds.h"
 #include "reports/change_trial.h"
 #include "reports/twin_trial.h"
 #include "sim/building/building_generator.h"
@@ -37,9 +39,9 @@ void measureTwins(const po::variables_map& given, const config::Parameters& para
   core::TwinOptions options;
   options.most = given["most"].as<std::size_t>();
   options.least_likeness = given["likeness"].as<double>();
-  trials::Recipe visit = recipe();
-  visit.any_heading = given.count("any-heading") > 0;
-  if (visit.any_heading) options.heading_window = core::kPi;
+  reports::TwinVisits coming_back{recipe(), given["rounds"].as<int>()};
+  coming_back.recipe.any_heading = given.count("any-heading") > 0;
+  if (coming_back.recipe.any_heading) options.heading_window = core::kPi;
   sim::SimulatedRobot robot;
   robot.ring.count = given["sonars"].as<int>();
   robot.ring.spacing = 2.0 * core::kPi / robot.ring.count;
@@ -49,16 +51,19 @@ void measureTwins(const po::variables_map& given, const config::Parameters& para
   for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
     std::vector<sim::World> worlds;
     if (given.count("world") > 0)
-      worlds.push_back(sim::loadWorld(given["world"].as<std::string>()));
+      worlds.push_back(mapping::mappingWorld(given["world"].as<std::string>(), seed, ""));
     for (std::uint64_t i = 0;
          given.count("world") == 0 && i < given["buildings"].as<std::uint64_t>(); ++i) {
       worlds.push_back(sim::generateBuilding(sim::BuildingKind::kCorridor, 100 * seed + i));
     }
-    score.add(reports::tryTwins(worlds, robot, visit, seed, parameters, options));
+    score.add(reports::tryTwins(worlds, robot, coming_back, seed, parameters, options));
   }
-  std::cout << "twins: " << score.twins << " of " << score.places
-            << " places; confusions: " << share(score.confusions, score.visits)
-            << "; named before: " << share(score.named, score.confusions) << '\n';
+  std::cout << "twins: " << score.pairs << " pairs of " << score.places
+            << " places; confused then: " << share(score.pairs_confused, score.pairs)
+            << "; confusions: " << share(score.confusions, score.visits)
+            << "; named before: " << share(score.named, score.confusions)
+            << "; of the last visits': " << score.last
+            << "; that earlier visits knew: " << share(score.last_known, score.last) << '\n';
 }
 
 void measureChanges(const po::variables_map& given, const config::Parameters& parameters) {
@@ -97,18 +102,21 @@ int run(const po::variables_map& given) {
 
 int main(int argc, char** argv) {
   const core::TwinOptions twins;
-  const core::GridChangeOptions changes;
+  const core::GridChangeOptions& changes = core::kScanChangeOptions;
   po::options_description options("usage: place_memory_reports twins|changes [--world F.yaml]");
   auto add = options.add_options();
   add("help", "show this");
   add("what", po::value<std::string>()->required(), "twins or changes");
-  add("world", po::value<std::string>(), "world file; twins without it: generated buildings");
+  add("world", po::value<std::string>(),
+      "world file, or for twins a building's name as of place_memory_mapping; twins without it: "
+      "generated buildings");
   add("params", po::value<std::vector<std::string>>()->default_value({}, "")->composing(),
       "parameters");
   add("first", po::value<std::uint64_t>()->default_value(9100), "seed");
   add("seeds", po::value<std::uint64_t>()->default_value(20), "how many");
   add("sonars", po::value<int>()->default_value(16), "of the robot");
   add("buildings", po::value<std::uint64_t>()->default_value(10), "that are one map of twins");
+  add("rounds", po::value<int>()->default_value(1), "how often a robot comes back, of twins");
   add("any-heading", "without a compass, of twins");
   add("most", po::value<std::size_t>()->default_value(twins.most), "twins of one place");
   add("likeness", po::value<double>()->default_value(twins.least_likeness), "of twins, least");

@@ -68,12 +68,13 @@ void add(const trials::TrialSet& set, const sim::World& world, const core::Sonar
 }
 
 LearnedMap learn(const std::vector<sim::World>& worlds, const sim::SimulatedRobot& robot,
-                 const trials::Recipe& recipe, std::uint64_t seed, const core::SonarModel& sonar) {
+                 const TwinVisits& coming_back, std::uint64_t seed, const core::SonarModel& sonar) {
   LearnedMap learned;
   std::vector<core::Place> places;
   std::vector<core::PlaceLink> links;
   for (const sim::World& world : worlds) {
-    add(trials::simulateTrials(world, robot, recipe, seed), world, sonar, places, links, learned);
+    add(trials::simulateRounds(world, robot, coming_back.recipe, coming_back.rounds, seed), world,
+        sonar, places, links, learned);
   }
   learned.map = core::PlaceMap(std::move(places), links, 1, {});
   return learned;
@@ -89,54 +90,94 @@ core::LookUpFrames framesOf(const core::PlaceMap& map) {
   };
 }
 
+using Pairs = std::set<std::pair<core::PlaceId, core::PlaceId>>;
+
+/// Who looks like whom is no matter of direction.
+std::pair<core::PlaceId, core::PlaceId> pairOf(core::PlaceId one, core::PlaceId other) {
+  return std::minmax({one, other});
+}
+
+bool isAmong(const Pairs& pairs, const Pairs& known) {
+  return std::any_of(pairs.begin(), pairs.end(),
+                     [&known](const auto& pair) { return known.count(pair) > 0; });
+}
+
+/// The best match with each place that would have been right; none where it is not far off.
+Pairs confusionOf(const trials::RecognitionTrial& trial, const core::Recognition& found,
+                  const core::PlaceMap& map) {
+  const core::PlaceMatch& best = found.matches.front();
+  const core::Pose2d pose = map.find(best.id)->map_from_place * best.place_from_scan;
+  const double error = std::hypot(pose.x - trial.odom_from_scan.x, pose.y - trial.odom_from_scan.y);
+  Pairs confused;
+  if (error < kFarOff) return confused;
+  for (const std::string& label : trial.accept) {
+    confused.insert(pairOf(map.find(label)->id, best.id));
+  }
+  return confused;
+}
+
+Pairs twinsOf(const LearnedMap& learned, const core::Recognizer& recognizer,
+              const core::TwinOptions& options) {
+  Pairs pairs;
+  for (const core::Twin& twin : core::findTwins(
+           learned.map, learned.index, recognizer,
+           [&learned](const core::Place& place) {
+             return learned.scans[static_cast<std::size_t>(place.id - 1)];
+           },
+           options)) {
+    pairs.insert(pairOf(twin.place, twin.other));
+  }
+  return pairs;
+}
+
 }  // namespace
 
 void TwinScore::add(const TwinScore& other) {
   places += other.places;
-  twins += other.twins;
+  pairs += other.pairs;
+  pairs_confused += other.pairs_confused;
   visits += other.visits;
   confusions += other.confusions;
   named += other.named;
+  last += other.last;
+  last_known += other.last_known;
 }
 
 TwinScore tryTwins(const std::vector<sim::World>& worlds, const sim::SimulatedRobot& robot,
-                   const trials::Recipe& recipe, std::uint64_t seed,
+                   const TwinVisits& coming_back, std::uint64_t seed,
                    const config::Parameters& parameters, const core::TwinOptions& options) {
   const core::SonarModel sonar(parameters.sonar);
   const core::Recognizer recognizer(parameters.match.recognizer);
-  const LearnedMap learned = learn(worlds, robot, recipe, seed, sonar);
-  const auto twins = core::findTwins(
-      learned.map, learned.index, recognizer,
-      [&](const core::Place& place) {
-        return learned.scans[static_cast<std::size_t>(place.id - 1)];
-      },
-      options);
-  std::set<std::pair<core::PlaceId, core::PlaceId>> pairs;
-  for (const core::Twin& twin : twins) {  // who looks like whom is no matter of direction
-    pairs.emplace(twin.place, twin.other);
-    pairs.emplace(twin.other, twin.place);
-  }
+  const LearnedMap learned = learn(worlds, robot, coming_back, seed, sonar);
+  const Pairs twins = twinsOf(learned, recognizer, options);
 
   TwinScore score;
   score.places = learned.map.size();
-  score.twins = twins.size();
+  score.pairs = twins.size();
+  score.visits = learned.visits.size();
+  Pairs all;
+  Pairs before;  // the last time
+  std::vector<Pairs> last;
   for (const trials::RecognitionTrial& trial : learned.visits) {
-    ++score.visits;
     const core::Scan scan = scanOf(trial.readings, sonar, {});
     const core::Recognition found =
         *recognizer.recognize(scan, learned.index, framesOf(learned.map), trial.heading_window);
-    const core::PlaceMatch& best = found.matches.front();
-    const core::Pose2d pose = learned.map.find(best.id)->map_from_place * best.place_from_scan;
-    const double error =
-        std::hypot(pose.x - trial.odom_from_scan.x, pose.y - trial.odom_from_scan.y);
-    if (error < kFarOff) continue;
+    const Pairs confused = confusionOf(trial, found, learned.map);
+    if (confused.empty()) continue;
     ++score.confusions;
-    const bool is_named =
-        std::any_of(trial.accept.begin(), trial.accept.end(), [&](const std::string& label) {
-          return pairs.count({learned.map.find(label)->id, best.id}) > 0;
-        });
-    if (is_named) ++score.named;
+    if (isAmong(confused, twins)) ++score.named;
+    all.insert(confused.begin(), confused.end());
+    if (trial.round + 1 < coming_back.rounds) {
+      before.insert(confused.begin(), confused.end());
+    } else {
+      last.push_back(confused);
+    }
   }
+  score.pairs_confused = static_cast<std::size_t>(std::count_if(
+      twins.begin(), twins.end(), [&all](const auto& pair) { return all.count(pair) > 0; }));
+  score.last = last.size();
+  score.last_known = static_cast<std::size_t>(std::count_if(
+      last.begin(), last.end(), [&before](const Pairs& pairs) { return isAmong(pairs, before); }));
   return score;
 }
 

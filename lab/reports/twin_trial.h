@@ -12,20 +12,29 @@
 
 namespace place_memory::reports {
 
-/// How many of the confusions that followed the report had named.
+/// What the report of twins named, and what was confused then.
 struct TwinScore {
   std::size_t places = 0;
-  std::size_t twins = 0;
+  std::size_t pairs = 0;  ///< that the report calls twins
+  std::size_t pairs_confused = 0;
   std::size_t visits = 0;
   std::size_t confusions = 0;  ///< the best match puts the robot more than two metres off
   std::size_t named = 0;       ///< of those between two that the report calls twins
+  std::size_t last = 0;        ///< confusions of the last time that the robot came back
+  std::size_t last_known = 0;  ///< of those between two that had been confused before
 
   void add(const TwinScore& other);
 };
 
-/// Learns the worlds, which are parts of one map, reports twins, and comes back as the recipe says.
+/// How often the robot comes back to each place, and to what.
+struct TwinVisits {
+  trials::Recipe recipe;
+  int rounds = 1;
+};
+
+/// Learns the worlds, which are parts of one map, reports twins, and comes back.
 TwinScore tryTwins(const std::vector<sim::World>& worlds, const sim::SimulatedRobot& robot,
-                   const trials::Recipe& recipe, std::uint64_t seed,
+                   const TwinVisits& coming_back, std::uint64_t seed,
                    const config::Parameters& parameters, const core::TwinOptions& options);
 
 }  // namespace place_memory::reports

@@ -36,7 +36,6 @@ struct OpenStore {
 std::vector<core::PlaceChange> changesOf(const OpenStore& known, const OpenStore& later,
                                          const config::Parameters& parameters) {
   const core::Recognizer recognizer(parameters.match.recognizer);
-  const core::SonarModel sonar(parameters.sonar);
   const auto frames = [&known](const std::vector<core::PlaceId>& ids) {
     std::vector<core::PlaceFrame> found;
     for (const core::PlaceId id : ids) {
@@ -53,7 +52,7 @@ std::vector<core::PlaceChange> changesOf(const OpenStore& known, const OpenStore
     if (found.verdict != core::Verdict::kRecognized || scan.readings.empty()) continue;
     const core::PlaceMatch& match = found.matches.front();
     for (const core::GridChange& change :
-         core::changesSeen(known.store.grid(match.id), scan, match.place_from_scan, sonar)) {
+         core::changesSeen(known.store, match.id, scan, match.place_from_scan, parameters.sonar)) {
       changes.push_back({match.id, change});
     }
   }

@@ -98,7 +98,7 @@ const std::map<std::string, Parts> kMayUse{
     {"lab/experiments", {"lab/trials"}},
     {"lab/benchmark", {"lab/trials", "google_benchmark"}},
     {"lab/mapping", {"lab/experiments"}},
-    {"lab/reports", {"lab/trials"}},
+    {"lab/reports", {"lab/mapping"}},
     {"lab/routes", {"lab/mapping"}},
 };
 

@@ -24,8 +24,7 @@ struct GridChangeOptions {
 };
 
 /// What has changed from one grid to the other, which lies in the same frame: the largest first.
-/// Cells that either of them does not know for certain say nothing. In the simulated office, where
-/// these options were chosen, `place_memory_reports changes` says how often this is right.
+/// Cells that either of them does not know for certain say nothing.
 std::vector<GridChange> changesBetween(const EvidenceGrid& before, const EvidenceGrid& now,
                                        const GridChangeOptions& options = {});
 

@@ -1,6 +1,7 @@
 #include "core/memory/place_changes.h"
 
 #include "core/sensing/moved_readings.h"
+#include "core/sensing/scan_changes.h"
 
 namespace place_memory::core {
 
@@ -19,12 +20,15 @@ std::vector<PlaceChange> changesSinceLearned(const PlaceMap& map, const PlaceSto
   return changes;
 }
 
-std::vector<GridChange> changesSeen(const EvidenceGrid& grid, const Scan& scan,
-                                    const Pose2d& place_from_scan, const SonarModel& sonar,
-                                    const GridChangeOptions& options) {
-  const EvidenceGrid now =
-      sonar.build(movedReadings(scan.readings, place_from_scan), grid.geometry());
-  return changesBetween(grid, now, options);
+std::vector<GridChange> changesSeen(const PlaceStore& store, PlaceId place, const Scan& scan,
+                                    const Pose2d& place_from_scan, const SonarModelOptions& sonar) {
+  const EvidenceGrid grid = store.grid(place);
+  const std::vector<SonarReading> learned = store.readings(place);
+  const std::vector<SonarReading> now = movedReadings(scan.readings, place_from_scan);
+  if (learned.empty()) {
+    return changesBetween(grid, SonarModel(sonar).build(now, grid.geometry()));
+  }
+  return changesBetween(learned, now, sonar, grid.geometry());
 }
 
 }  // namespace place_memory::core

@@ -24,11 +24,11 @@ std::vector<PlaceChange> changesSinceLearned(const PlaceMap& map, const PlaceSto
                                              const SonarModel& sonar, const GridGeometry& geometry,
                                              const GridChangeOptions& options = {});
 
-/// What a scan that was RECOGNIZED as a place shows to have changed there: `grid` is the place's,
-/// `place_from_scan` the alignment.
-std::vector<GridChange> changesSeen(const EvidenceGrid& grid, const Scan& scan,
-                                    const Pose2d& place_from_scan, const SonarModel& sonar,
-                                    const GridChangeOptions& options = {});
+/// What a scan that was RECOGNIZED as a place shows to have changed there since it was learned, by
+/// the readings it was learned from; by its grid where they are not known. `place_from_scan` is the
+/// alignment. Throws StoreError.
+std::vector<GridChange> changesSeen(const PlaceStore& store, PlaceId place, const Scan& scan,
+                                    const Pose2d& place_from_scan, const SonarModelOptions& sonar);
 
 }  // namespace place_memory::core
 

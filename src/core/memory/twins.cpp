@@ -19,12 +19,13 @@ double distance(const Pose2d& one, const Pose2d& other) {
   return std::hypot(one.x - other.x, one.y - other.y);
 }
 
-double medianScore(const std::vector<PlaceMatch>& matches) {
+/// What most places score above, though more than half of them may look alike.
+double commonScore(const std::vector<PlaceMatch>& matches) {
   std::vector<double> scores;
   for (const PlaceMatch& match : matches) scores.push_back(match.score);
-  const auto middle = scores.begin() + static_cast<std::ptrdiff_t>(scores.size() / 2);
-  std::nth_element(scores.begin(), middle, scores.end());
-  return *middle;
+  const auto least_tenth = scores.begin() + static_cast<std::ptrdiff_t>(scores.size() / 10);
+  std::nth_element(scores.begin(), least_tenth, scores.end());
+  return *least_tenth;
 }
 
 /// Where the two differ, found cell by cell.
@@ -97,8 +98,8 @@ class TwinSearch {
     const auto self = std::find_if(found.matches.begin(), found.matches.end(),
                                    [&](const PlaceMatch& match) { return match.id == place.id; });
     if (self == found.matches.end() || found.no_echo) return;
-    const double middle = medianScore(found.matches);
-    const double best = self->score - middle;
+    const double common = commonScore(found.matches);
+    const double best = self->score - common;
     if (best <= 0.0) return;
     std::vector<Twin> twins;
     for (const PlaceMatch& match : found.matches) {
@@ -106,7 +107,7 @@ class TwinSearch {
       const bool is_same_spot =
           other.session == place.session &&
           distance(place.map_from_place, other.map_from_place * match.place_from_scan) < kSameSpot;
-      const double likeness = (match.score - middle) / best;
+      const double likeness = (match.score - common) / best;
       if (match.id == place.id || is_same_spot || likeness < options_.least_likeness) continue;
       Twin twin;
       twin.place = place.id;

@@ -17,7 +17,7 @@ struct Twin {
   PlaceId place = kNoPlace;  ///< where the robot is
   PlaceId other = kNoPlace;  ///< where it may believe to be
   /// How well the other one fits the place's own scan: 1 as well as the place itself, 0 no better
-  /// than the middle one of all places.
+  /// than the best of the tenth of all places that fit it worst.
   double likeness = 0.0;
   Pose2d other_from_place;  ///< alignment at which it does
   /// Where, seen from the place, the two differ the most: direction in the place's frame [rad] and
@@ -30,8 +30,8 @@ struct Twin {
 };
 
 struct TwinOptions {
-  std::size_t most = 3;               ///< twins of one place
-  double least_likeness = 0.3;        ///< in [0, 1]
+  std::size_t most = 10;              ///< twins of one place
+  double least_likeness = 0.4;        ///< in [0, 1]
   double heading_window = kPi / 4.0;  ///< how far the compass may be off [rad]
 };
 

@@ -68,6 +68,30 @@ TEST_F(TwinsTest, AreNamedBothWaysWithWhatPartsThem) {
   }
 }
 
+/// Rooms of one plan, and four places that look like nothing else.
+TEST(Twins, OfCopiedRoomsEachIsNamedWithAllOthers) {
+  constexpr PlaceId kRooms = 8;
+  std::vector<Place> places;
+  PlaceIndex index;
+  for (PlaceId id = 1; id <= kRooms + 4; ++id) {
+    Place place;
+    place.id = id;
+    place.label = "place " + std::to_string(id);
+    place.map_from_place = {10.0 * static_cast<double>(id), 0.0, 0.0};
+    places.push_back(place);
+    index.put(id, makeRandomScan(id <= kRooms ? 1 : static_cast<unsigned>(id)).grid);
+  }
+  const auto scan_of = [](const Place& place) {
+    return makeRandomScan(place.id <= kRooms ? 1 : static_cast<unsigned>(place.id));
+  };
+  std::map<PlaceId, std::size_t> named;
+  for (const Twin& twin : findTwins(PlaceMap(places, {}, 1, {}), index,
+                                    Recognizer(RecognizerOptions{}), scan_of, TwinOptions{})) {
+    if (twin.other <= kRooms && twin.place <= kRooms) ++named[twin.place];
+  }
+  for (PlaceId id = 1; id <= kRooms; ++id) EXPECT_EQ(named[id], kRooms - 1) << id;
+}
+
 TEST_F(TwinsTest, WhatLooksLikeNothingElseHasNone) {
   TwinOptions options;
   options.least_likeness = 0.9999;
