@@ -19,14 +19,14 @@ fail() {
 
 # configure FOLDER [CMAKE OPTION]...
 configure() {
-  local build=$dir/$1
+  local folder=$dir/$1
   local options=(-DPLACE_MEMORY_WERROR=ON -DPYTHON_EXECUTABLE=/usr/bin/python3)
   if command -v ccache >/dev/null; then
     options+=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   fi
-  mkdir -p "$build/devel/lib/python3/dist-packages"  # as scripts/build says
-  cmake -S "$root" -B "$build" "${options[@]}" "${@:2}" >"$build/configure.log" ||
-    fail "$build/configure.log: $(tail -n 5 "$build/configure.log")"
+  mkdir -p "$folder/devel/lib/python3/dist-packages"  # as scripts/build says
+  cmake -S "$root" -B "$folder" "${options[@]}" "${@:2}" >"$folder/configure.log" ||
+    fail "$folder/configure.log: $(tail -n 5 "$folder/configure.log")"
 }
 
 # configure_clang FOLDER [CMAKE OPTION]...: so that what sanitizers say can be read, and soon.

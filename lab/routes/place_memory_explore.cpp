@@ -109,6 +109,8 @@ int run(const po::variables_map& given) {
   recipe.explorer.frontiers.looks_out = given["looks-out"].as<double>();
   recipe.explorer.barrier = given["barrier"].as<double>();
   recipe.explorer.squeeze = given["squeeze"].as<double>();
+  recipe.explorer.patience.least = given["patience"].as<double>();
+  recipe.explorer.patience.share = given["patience-share"].as<double>();
   recipe.explorer.worth_a_try = given["worth"].as<double>();
   if (!recipe.compass) recipe.drive.compass_sigma = -1.0;
   experiments::Table table(
@@ -190,6 +192,10 @@ int main(int argc, char** argv) {
       "radius of what bars the way [m]")(
       "squeeze", po::value<double>()->default_value(core::ExplorerOptions{}.squeeze),
       "share of the room that ways leave, where nothing else is left")(
+      "patience", po::value<double>()->default_value(core::PatienceOptions{}.least),
+      "it drives so far without seeing new ground before it gives up, at the least [m]")(
+      "patience-share", po::value<double>()->default_value(core::PatienceOptions{}.share),
+      "and as this share of the way before")(
       "worth", po::value<double>()->default_value(core::ExplorerOptions{}.worth_a_try),
       "what bars the way to less is not tried again [m^2]")("no-compass", "robots have none")(
       "pictures", po::value<std::string>(), "prefix of a picture of each map")(

@@ -58,9 +58,11 @@ void Explorer::decide(const SurveyedCells& map, const Moment& now) {
   for (;;) {
     const FreeSpace space(options_.space, map, now.robot, barred());
     const GridWays ways(space, now.robot, options_.space.wide_berth);
+    const std::vector<std::uint8_t> seen = inSight(space, map.trail, options_.sight);
+    losePatience(space, seen, now);
     if (!returns_) {
-      const std::vector<Frontier> frontiers = frontiersOf(
-          space, options_.frontiers, looked_at_, inSight(space, map.trail, options_.sight));
+      const std::vector<Frontier> frontiers =
+          frontiersOf(space, options_.frontiers, looked_at_, seen);
       if (chooseLoop(space, ways, now) || chooseFrontier(space, ways, frontiers, now)) return;
       if (isWorthATry(map, now) && liftBarriers(kLiftedForMore)) continue;
       if (squeeze(map, now)) return;
@@ -69,6 +71,16 @@ void Explorer::decide(const SurveyedCells& map, const Moment& now) {
     if (goHome(space, ways, now) || !liftBarriers(kLiftedForHome)) break;
   }
   if (!task_ && !isOver()) outcome_ = Outcome::kBlocked;
+}
+
+// Not on the way to a frontier: that may be far.
+void Explorer::losePatience(const FreeSpace& space, const std::vector<std::uint8_t>& seen,
+                            const Moment& now) {
+  const auto cells = std::count(seen.begin(), seen.end(), std::uint8_t{1});
+  ground_.note(now.way, static_cast<double>(cells) * space.resolution() * space.resolution());
+  if (task_ || returns_ || !ground_.isInVain(now.way)) return;
+  gave_up_at_ = now.way;
+  returns_ = true;
 }
 
 void Explorer::take(Aim aim, const FreeSpace& space, const GridWays& ways, FreeSpace::Cell cell) {
@@ -224,10 +236,13 @@ void Explorer::listLeft(const SurveyedCells& map, const FreeSpace& space, const 
                         const Moment& now) {
   left_.clear();
   const std::vector<std::uint8_t> seen = inSight(space, map.trail, options_.sight);
-  if (at_home_ == Outcome::kBoundReached) {
+  if (at_home_ == Outcome::kBoundReached || gave_up_at_) {
+    const std::string why =
+        gave_up_at_ ? "for " + std::to_string(std::lround(*gave_up_at_ - ground_.grewAt())) +
+                          " m other openings had shown nothing new"
+                    : "the distance that was allowed is driven";
     for (const Frontier& frontier : frontiersOf(space, options_.frontiers, looked_at_, seen)) {
-      if (!ways.reaches(frontier.cell)) continue;
-      left_.push_back({space.centre(frontier.cell), "the distance that was allowed is driven"});
+      if (ways.reaches(frontier.cell)) left_.push_back({space.centre(frontier.cell), why});
     }
   }
   const FreeSpace without(options_.space, map, now.robot, {});

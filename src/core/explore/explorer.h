@@ -2,6 +2,7 @@
 #define PLACE_MEMORY_CORE_EXPLORE_EXPLORER_H
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/explore/free_space.h"
 #include "core/explore/frontiers.h"
 #include "core/explore/grid_ways.h"
+#include "core/explore/new_ground.h"
 #include "core/explore/sight.h"
 #include "core/explore/surveyed_map.h"
 #include "place_memory/core/pose2d.h"
@@ -19,6 +21,7 @@ struct ExplorerOptions {
   FreeSpaceOptions space;
   FrontierOptions frontiers;
   SightOptions sight;
+  PatienceOptions patience;
   double most_distance = 0.0;  ///< drives no further before it goes home [m]; 0: no bound
   bool stay = false;           ///< ends where it is when it is done; false: goes home
   double looked_around = 0.6;  ///< where it was, nothing so near opens any more [m]
@@ -52,7 +55,7 @@ class Explorer {
 
   enum class Outcome {
     kUnderWay,
-    kDone,          ///< nothing is left that it can reach
+    kDone,          ///< nothing is left that it can reach, or by which it sees anything new
     kBoundReached,  ///< most_distance is driven
     kBlocked,       ///< it does not get home
   };
@@ -70,7 +73,8 @@ class Explorer {
     double doubt = 0.0;  ///< 1 sigma of where it is in the map [m]
   };
 
-  Explorer(const ExplorerOptions& options, const Pose2d& home) : options_(options), home_(home) {}
+  Explorer(const ExplorerOptions& options, const Pose2d& home)
+      : options_(options), home_(home), ground_(options.patience) {}
 
   /// Decides anew: a task is there, or it is over.
   void decide(const SurveyedCells& map, const Moment& now);
@@ -110,6 +114,8 @@ class Explorer {
   bool chooseFrontier(const FreeSpace& space, const GridWays& ways,
                       const std::vector<Frontier>& frontiers, const Moment& now);
   bool chooseLoop(const FreeSpace& space, const GridWays& ways, const Moment& now);
+  void losePatience(const FreeSpace& space, const std::vector<std::uint8_t>& seen,
+                    const Moment& now);
   bool squeeze(const SurveyedCells& map, const Moment& now);
   FreeSpaceOptions slim() const;
   bool isWorthATry(const SurveyedCells& map, const Moment& now) const;
@@ -134,7 +140,9 @@ class Explorer {
   std::optional<Pose2d> looks_;  ///< from where it looks now
   std::vector<Barrier> barriers_;
   std::vector<SureSpot> sure_;
-  double no_loop_before_ = 0.0;  ///< way [m]
+  NewGround ground_;
+  std::optional<double> gave_up_at_;  ///< way [m]
+  double no_loop_before_ = 0.0;       ///< way [m]
   std::size_t loops_sought_ = 0;
 };
 
