@@ -60,6 +60,35 @@ TEST_F(ExplorerTest, WhatWasLookedAtIsNoFrontierAnyMore) {
   EXPECT_EQ(explorer.frontiers(), 1U);
 }
 
+TEST_F(ExplorerTest, GivesUpWhatIsLeftOnceNothingNewIsSeenForLong) {
+  for (const double way : {20.0, 21.0}) {
+    Explorer explorer(options_, home_);
+    explorer.decide(open(), at(1.25, 1.0, 0.0));
+    const Pose2d first = explorer.task()->target;
+    explorer.arrived(at(first.x, first.y, way));
+    explorer.decide(open(), at(first.x, first.y, way));
+    ASSERT_TRUE(explorer.task());
+    if (way <= options_.patience.least) {
+      EXPECT_EQ(explorer.task()->aim, Aim::kFrontier);
+      continue;
+    }
+    EXPECT_EQ(explorer.task()->aim, Aim::kHome);
+    ASSERT_EQ(explorer.left().size(), 1U);
+    EXPECT_EQ(explorer.left()[0].why, "for 21 m other openings had shown nothing new");
+    explorer.arrived(at(1.25, 1.0, 26.0));
+    explorer.decide(open(), at(1.25, 1.0, 26.0));
+    EXPECT_EQ(explorer.outcome(), Outcome::kDone);
+  }
+}
+
+TEST_F(ExplorerTest, OnTheWayToAFrontierItIsPatient) {
+  Explorer explorer(options_, home_);
+  explorer.decide(open(), at(1.25, 1.0, 0.0));
+  explorer.decide(open(), at(2.0, 1.0, 40.0));
+  ASSERT_TRUE(explorer.task());
+  EXPECT_EQ(explorer.task()->aim, Aim::kFrontier);
+}
+
 TEST_F(ExplorerTest, WhatLayInSightOfTheWayOpensNothing) {
   SurveyedCells map = open();
   map.trail = {{7.0, 1.0, 0.0}};
