@@ -18,6 +18,7 @@ constexpr double kSure = 0.7;        // share of the limit of doubt below which 
 constexpr double kLoopAge = 20.0;    // a spot is worth a loop that was left so much way ago [m]
 constexpr double kLoopShare = 0.3;   // and that the way there is not longer than this share of it
 constexpr double kLoopPause = 15.0;  // after a loop was sought none is for so much way [m]
+constexpr double kNearby = 1.5;      // what is so near to its way the robot has been at [m]
 constexpr double kReach = 0.3;       // a spot is reached by a cell so near [m]
 
 double between(const Pose2d& one, const Pose2d& other) {
@@ -59,7 +60,7 @@ void Explorer::decide(const SurveyedCells& map, const Moment& now) {
     const FreeSpace space(options_.space, map, now.robot, barred());
     const GridWays ways(space, now.robot, options_.space.wide_berth);
     const std::vector<std::uint8_t> seen = inSight(space, map.trail, options_.sight);
-    losePatience(space, seen, now);
+    losePatience(space, map.trail, now);
     if (!returns_) {
       const std::vector<Frontier> frontiers =
           frontiersOf(space, options_.frontiers, looked_at_, seen);
@@ -74,8 +75,9 @@ void Explorer::decide(const SurveyedCells& map, const Moment& now) {
 }
 
 // Not on the way to a frontier: that may be far.
-void Explorer::losePatience(const FreeSpace& space, const std::vector<std::uint8_t>& seen,
+void Explorer::losePatience(const FreeSpace& space, const std::vector<Pose2d>& trail,
                             const Moment& now) {
+  const std::vector<std::uint8_t> seen = inSight(space, trail, {kNearby, 0.0});
   const auto cells = std::count(seen.begin(), seen.end(), std::uint8_t{1});
   ground_.note(now.way, static_cast<double>(cells) * space.resolution() * space.resolution());
   if (task_ || returns_ || !ground_.isInVain(now.way)) return;

@@ -9,12 +9,13 @@ namespace {
 constexpr double kTrusted = 2.5;  // echoes from further off may have come around corners [m]
 constexpr double kFan = 0.25;     // rays beside the axis, in shares of half a cone
 constexpr int kEnoughEchoes = 2;
+constexpr double kNearer = 0.6;  // times as far off, what was heard counts instead
 
 std::int64_t cellOf(double coordinate, double resolution) {
   return static_cast<std::int64_t>(std::floor(coordinate / resolution));
 }
 
-void count(std::uint8_t& counter) {
+void increase(std::uint8_t& counter) {
   if (counter < 255) ++counter;
 }
 
@@ -45,11 +46,28 @@ void HeardWalls::add(const Pose2d& map_from_sensor, const SonarSpec& spec, doubl
     // A whole cell before the echo may be its own.
     const double passed = std::min(range, kTrusted) - resolution_;
     for (double way = 0.0; way < passed; way += resolution_) {
-      count(cell(map_from_sensor.x + way * c, map_from_sensor.y + way * s).passes[bin]);
+      count(map_from_sensor.x + way * c, map_from_sensor.y + way * s, bin, way, false);
     }
     if (range > kTrusted) continue;
-    count(cell(map_from_sensor.x + range * c, map_from_sensor.y + range * s).echoes[bin]);
+    count(map_from_sensor.x + range * c, map_from_sensor.y + range * s, bin, range, true);
   }
+}
+
+void HeardWalls::count(double x, double y, std::size_t bin, double distance, bool is_echo) {
+  Cell& heard = cell(x, y);
+  const double cells = 1.0 + distance / resolution_;
+  // What passes a cell tells of its neighbouring bearings as well.
+  for (const std::size_t i : {bin, (bin + 1) % kBearings, (bin + kBearings - 1) % kBearings}) {
+    if (is_echo && i != bin) continue;
+    if (cells >= kNearer * heard.from[i]) continue;
+    heard.echoes[i] = 0;
+    heard.passes[i] = 0;
+    heard.from[i] = 0;
+  }
+  std::uint8_t& from = heard.from[bin];
+  if (from > 0 && kNearer * cells > from) return;
+  if (from == 0 || cells < from) from = static_cast<std::uint8_t>(std::min(cells, 255.0));
+  increase(is_echo ? heard.echoes[bin] : heard.passes[bin]);
 }
 
 void HeardWalls::clearAround(double x, double y, double radius) {

@@ -15,6 +15,9 @@ namespace place_memory::core {
 /// What was heard to stand where by bearing. A smooth wall answers only who looks at it head on,
 /// and to all others seems open: on a map that sums up what all bearings say it fades away. Here it
 /// stands as long as those bearings that heard it hear it still (Konolige 1997, MURIEL).
+///
+/// A cone is the wider the further it reaches: from afar the two sides of a door answer as if it
+/// were walled up. So what was heard from much nearer about counts instead of that.
 class HeardWalls {
  public:
   explicit HeardWalls(double resolution) : resolution_(resolution) {}
@@ -33,6 +36,7 @@ class HeardWalls {
   struct Cell {
     std::array<std::uint8_t, kBearings> echoes{};
     std::array<std::uint8_t, kBearings> passes{};
+    std::array<std::uint8_t, kBearings> from{};  ///< how far off at the least [cells]; 0: not heard
   };
   using Tile = std::array<Cell, static_cast<std::size_t>(kTile* kTile)>;
 
@@ -42,6 +46,7 @@ class HeardWalls {
   };
   At at(double x, double y) const;
   Cell& cell(double x, double y);
+  void count(double x, double y, std::size_t bin, double distance, bool is_echo);
 
   double resolution_;
   std::unordered_map<std::int64_t, Tile> tiles_;
