@@ -193,7 +193,7 @@ int main(int argc, char** argv) {
       "squeeze", po::value<double>()->default_value(core::ExplorerOptions{}.squeeze),
       "share of the room that ways leave, where nothing else is left")(
       "patience", po::value<double>()->default_value(core::PatienceOptions{}.least),
-      "it drives so far without seeing new ground before it gives up, at the least [m]")(
+      "it drives so far without coming to new ground before it gives up, at the least [m]")(
       "patience-share", po::value<double>()->default_value(core::PatienceOptions{}.share),
       "and as this share of the way before")(
       "worth", po::value<double>()->default_value(core::ExplorerOptions{}.worth_a_try),

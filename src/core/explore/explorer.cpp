@@ -241,7 +241,7 @@ void Explorer::listLeft(const SurveyedCells& map, const FreeSpace& space, const 
   if (at_home_ == Outcome::kBoundReached || gave_up_at_) {
     const std::string why =
         gave_up_at_ ? "for " + std::to_string(std::lround(*gave_up_at_ - ground_.grewAt())) +
-                          " m other openings had shown nothing new"
+                          " m other openings had led to no new ground"
                     : "the distance that was allowed is driven";
     for (const Frontier& frontier : frontiersOf(space, options_.frontiers, looked_at_, seen)) {
       if (ways.reaches(frontier.cell)) left_.push_back({space.centre(frontier.cell), why});

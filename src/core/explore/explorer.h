@@ -55,7 +55,7 @@ class Explorer {
 
   enum class Outcome {
     kUnderWay,
-    kDone,          ///< nothing is left that it can reach, or by which it sees anything new
+    kDone,          ///< nothing is left that it can reach, or by which it gets to new ground
     kBoundReached,  ///< most_distance is driven
     kBlocked,       ///< it does not get home
   };

@@ -4,10 +4,10 @@
 
 namespace place_memory::core {
 
-void NewGround::note(double way, double seen) {
-  if (seen <= (1.0 + options_.growth) * seen_) return;
+void NewGround::note(double way, double area) {
+  if (area <= (1.0 + options_.growth) * area_) return;
   way_ = way;
-  seen_ = seen;
+  area_ = area;
 }
 
 bool NewGround::isInVain(double way) const {

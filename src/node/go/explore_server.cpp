@@ -240,8 +240,10 @@ void ExploreServer::finishAsDecided() {
   const std::size_t left = run_->left().size();
   switch (run_->outcome()) {
     case Explorer::Outcome::kDone:
-      return finish(Result::DONE, "nothing is left that the robot can reach: " + sum +
-                                      (left > 0 ? "; what it could not reach is in left" : ""));
+      return finish(Result::DONE,
+                    (left > 0 ? "nothing is left but what it could not reach or gave up, see left: "
+                              : "nothing is left that the robot can reach: ") +
+                        sum);
     case Explorer::Outcome::kBoundReached:
       return finish(Result::BOUND_REACHED,
                     "most_distance is driven: " + sum + "; send the goal again to go on");

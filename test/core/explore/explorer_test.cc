@@ -60,7 +60,7 @@ TEST_F(ExplorerTest, WhatWasLookedAtIsNoFrontierAnyMore) {
   EXPECT_EQ(explorer.frontiers(), 1U);
 }
 
-TEST_F(ExplorerTest, GivesUpWhatIsLeftOnceNothingNewIsSeenForLong) {
+TEST_F(ExplorerTest, GivesUpWhatIsLeftOnceNoNewGroundIsReachedForLong) {
   for (const double way : {20.0, 21.0}) {
     Explorer explorer(options_, home_);
     explorer.decide(open(), at(1.25, 1.0, 0.0));
@@ -74,7 +74,7 @@ TEST_F(ExplorerTest, GivesUpWhatIsLeftOnceNothingNewIsSeenForLong) {
     }
     EXPECT_EQ(explorer.task()->aim, Aim::kHome);
     ASSERT_EQ(explorer.left().size(), 1U);
-    EXPECT_EQ(explorer.left()[0].why, "for 21 m other openings had shown nothing new");
+    EXPECT_EQ(explorer.left()[0].why, "for 21 m other openings had led to no new ground");
     explorer.arrived(at(1.25, 1.0, 26.0));
     explorer.decide(open(), at(1.25, 1.0, 26.0));
     EXPECT_EQ(explorer.outcome(), Outcome::kDone);
