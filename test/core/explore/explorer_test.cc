@@ -193,6 +193,7 @@ TEST_F(ExplorerTest, ABarredWayIsTriedOnceMoreAndThenLeftWithItsReason) {
 }
 
 TEST_F(ExplorerTest, InDoubtItClosesALoopFirst) {
+  options_.patience.least = 100.0;
   Explorer explorer(options_, home_);
   // It was sure at home, has driven long since, and is not far from there again.
   explorer.decide(open(), at(1.25, 1.0, 0.0));
