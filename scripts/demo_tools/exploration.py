@@ -193,7 +193,7 @@ class Demonstration:
                     begun.append(True)
                     meanwhile()
                 self.film.words = (f"It {goal.feedback.message}; "
-                                   f"{goal.feedback.legs_left} legs are left")
+                                   f"legs that are left: {goal.feedback.legs_left}")
             return goal.is_over()
 
         wait_until(is_over, f"the way to {label}", GO_LIMIT, self._check)
