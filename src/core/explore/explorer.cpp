@@ -77,10 +77,11 @@ void Explorer::decide(const SurveyedCells& map, const Moment& now) {
 // Not on the way to a frontier: that may be far.
 void Explorer::losePatience(const FreeSpace& space, const std::vector<Pose2d>& trail,
                             const Moment& now) {
+  if (returns_) return;
   const std::vector<std::uint8_t> seen = inSight(space, trail, {kNearby, 0.0});
   const auto cells = std::count(seen.begin(), seen.end(), std::uint8_t{1});
   ground_.note(now.way, static_cast<double>(cells) * space.resolution() * space.resolution());
-  if (task_ || returns_ || !ground_.isInVain(now.way)) return;
+  if (task_ || !ground_.isInVain(now.way)) return;
   gave_up_at_ = now.way;
   returns_ = true;
 }
