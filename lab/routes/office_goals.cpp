@@ -31,6 +31,8 @@ constexpr double kHalfLife = 3600.0;  // of evidence [s]
 constexpr double kSpeed = 0.3;        // [m/s]
 constexpr double kRoomToBar = 1.2;    // nothing closes nearer to the robot [m]
 constexpr double kBarLength = 2.3;    // from wall to wall of a corridor [m]
+constexpr double kFar = 1e9;          // [m]
+constexpr double kAstrayTurn = 0.2;   // for each metre that it is astray [rad/m]
 
 core::PlaceMap mapOf(const sim::World& world) {
   std::vector<core::Place> places;
@@ -58,15 +60,20 @@ core::PlaceMap mapOf(const sim::World& world) {
 
 class Building {
  public:
-  Building(const sim::World& world, std::uint64_t seed)
-      : random_(seed), world_(world), map_(mapOf(world_)), planner_(map_, {kHalfLife, kSpeed}) {
+  Building(const sim::World& world, std::uint64_t seed, double astray)
+      : random_(seed),
+        astray_most_(astray),
+        world_(world),
+        map_(mapOf(world_)),
+        planner_(map_, {kHalfLife, kSpeed}) {
     putRobot({world_.places[0].position.x, world_.places[0].position.y, 0.0});
   }
 
   void goTo(PlaceId goal, GoalCounts& counts) {
     core::GoalRun::Hooks hooks;
-    hooks.plan = [&](PlaceId from, const core::GoalRun::Avoided& avoided) {
-      return plan(from == core::kNoPlace ? nearest() : from, goal, avoided, counts);
+    hooks.plan = [&](const core::GoalRun::Wish& wish) {
+      return plan(wish.from == core::kNoPlace ? nearest(believed(), wish.unreachable) : wish.from,
+                  goal, wish.avoided, counts);
     };
     hooks.report = [&](const core::Traversal& traversal) {
       const bool is_barred = barred_.count(std::minmax(traversal.from, traversal.to)) == 1;
@@ -74,7 +81,8 @@ class Building {
       report(traversal);
     };
     core::GoalRun run(hooks, std::nullopt, "simulation");
-    run.begin(pose(), now());
+    goAstray();
+    run.begin(believed(), now());
     close_at_ = way_ + std::uniform_real_distribution<double>(0.5, 8.0)(random_);
     while (!run.isOver()) driveLeg(run, counts);
     close_at_.reset();
@@ -116,7 +124,7 @@ class Building {
         return;
       case Outcome::kNoRoute:
         ++counts.no_route;
-        if (isReachable(nearest(), goal)) ++counts.false_no_route;
+        if (isReachable(nearest(pose(), {}), goal)) ++counts.false_no_route;
         return;
       case Outcome::kBlocked:
         ++counts.stuck;
@@ -158,12 +166,26 @@ class Building {
     simulation_ = std::make_unique<sim::Simulation>(std::move(world), pose, options);
   }
 
+  void goAstray() {
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    do {
+      astray_ = {any(random_), any(random_), 0.0};
+    } while (std::hypot(astray_.x, astray_.y) > 1.0);
+    astray_.x *= astray_most_;
+    astray_.y *= astray_most_;
+    astray_.yaw = any(random_) * kAstrayTurn * astray_most_;
+  }
+
   Pose2d pose() const { return simulation_->base().truth(); }
+  Pose2d believed() const {
+    return {pose().x + astray_.x, pose().y + astray_.y, core::wrapAngle(pose().yaw + astray_.yaw)};
+  }
   nanoseconds now() const { return nanoseconds(std::llround(1e9 * time_)); }
 
-  PlaceId nearest() const {
+  PlaceId nearest(const Pose2d& spot, const std::vector<PlaceId>& but) const {
     const auto distance = [&](const core::Place& place) {
-      return std::hypot(place.map_from_place.x - pose().x, place.map_from_place.y - pose().y);
+      if (std::find(but.begin(), but.end(), place.id) != but.end()) return kFar;
+      return std::hypot(place.map_from_place.x - spot.x, place.map_from_place.y - spot.y);
     };
     return std::min_element(map_.places().begin(), map_.places().end(),
                             [&](const core::Place& one, const core::Place& other) {
@@ -219,7 +241,7 @@ class Building {
         echoes.hear(static_cast<core::SensorId>(i), now(),
                     sim::sensorPose(simulation_->robot().ring, static_cast<int>(i)), ranges[i]);
       }
-      step(driver.update(now(), pose(), echoes), counts);
+      step(driver.update(now(), believed(), echoes), counts);
     }
     if (driver.state() == core::LegDriver::State::kArrived) {
       run.arrived(now());
@@ -229,6 +251,8 @@ class Building {
   }
 
   std::mt19937_64 random_;
+  double astray_most_ = 0.0;  // [m]
+  Pose2d astray_;             // from where the robot is to where it takes itself to be
   sim::World world_;
   core::PlaceMap map_;
   core::RoutePlanner planner_;
@@ -241,8 +265,8 @@ class Building {
 
 }  // namespace
 
-GoalCounts driveGoals(const sim::World& world, int goals, std::uint64_t seed) {
-  Building building(world, seed);
+GoalCounts driveGoals(const sim::World& world, int goals, std::uint64_t seed, double astray) {
+  Building building(world, seed, astray);
   GoalCounts counts;
   for (int i = 0; i < goals; ++i) {
     building.reopen(3);

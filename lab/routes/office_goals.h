@@ -29,8 +29,9 @@ struct GoalCounts {
 /// Drives a simulated robot to random places of `world`, goal after goal: planner, links that
 /// learn, the goal's run and the leg driver together, by what simulated sonars hear. Up to three
 /// ways are barred before each goal, which the robot is not told, and up to two more once it is on
-/// its way. Depends on the seed alone, but for times.
-GoalCounts driveGoals(const sim::World& world, int goals, std::uint64_t seed);
+/// its way. For each goal the robot takes itself to be elsewhere than it is, by up to `astray` [m]
+/// and a fifth of that in radians. Depends on the seed alone, but for times.
+GoalCounts driveGoals(const sim::World& world, int goals, std::uint64_t seed, double astray);
 
 }  // namespace place_memory::routes
 

@@ -23,7 +23,8 @@ int run(const po::variables_map& given) {
                "|\n|---|---|---|---|---|---|---|---|---|---|---|\n";
   std::string messages;
   for (int seed = 1; seed <= given["seeds"].as<int>(); ++seed) {
-    const GoalCounts counts = driveGoals(world, goals, static_cast<std::uint64_t>(seed));
+    const GoalCounts counts =
+        driveGoals(world, goals, static_cast<std::uint64_t>(seed), given["astray"].as<double>());
     std::cout << "| " << seed << " | " << goals << " | " << counts.reached << " | "
               << counts.no_route << " | " << counts.stuck << " | " << counts.others << " | "
               << counts.closed_ahead << " | " << counts.blocked << " | " << counts.false_reached
@@ -44,7 +45,9 @@ int main(int argc, char** argv) {
   options.add_options()("help", "show this")(
       "world", po::value<std::string>()->default_value("config/worlds/office.yaml"),
       "file of the building")("goals", po::value<int>()->default_value(200), "a seed")(
-      "seeds", po::value<int>()->default_value(5), "runs");
+      "seeds", po::value<int>()->default_value(5), "runs")(
+      "astray", po::value<double>()->default_value(0.0),
+      "the robot takes itself to be up to so far from where it is [m]");
   return place_memory::trials::runProgram("place_memory_goals", argc, argv, options,
                                           place_memory::routes::run);
 }

@@ -80,13 +80,15 @@ class Goer {
 
   core::GoalRun::Hooks hooks() {
     core::GoalRun::Hooks hooks;
-    hooks.plan = [this](core::PlaceId from, const core::GoalRun::Avoided& avoided) {
+    hooks.plan = [this](const core::GoalRun::Wish& wish) {
       core::RouteQuery query;
       query.goal = end_;
-      query.avoided = avoided;
+      query.avoided = wish.avoided;
       query.second = false;
-      if (from != core::kNoPlace) query.start = core::RouteEnd{from, "", std::nullopt};
-      if (from == core::kNoPlace) query.starts = {{1, 1.0}};
+      if (wish.from != core::kNoPlace) query.start = core::RouteEnd{wish.from, "", std::nullopt};
+      if (wish.from == core::kNoPlace) {
+        query.starts = {{static_cast<core::PlaceId>(1 + wish.unreachable.size()), 1.0}};
+      }
       return memory().plan(query);
     };
     hooks.report = [](const core::Traversal& traversal) {

@@ -8,6 +8,7 @@ namespace {
 
 // Further from the first place the robot goes there first [m].
 constexpr double kAtPlace = 0.75;
+constexpr int kMostElsewhere = 3;
 
 Pose2d standAt(const Place& place) { return place.map_from_place * place.place_from_robot; }
 
@@ -41,15 +42,22 @@ void GoalRun::begin(const Pose2d& robot, std::chrono::nanoseconds now) {
 }
 
 void GoalRun::planFrom(PlaceId place, std::chrono::nanoseconds now) {
-  leg_.reset();
-  plan_ = hooks_.plan(place, avoided_);
-  at_ = 0;
-  if (plan_.answer.status != RouteAnswer::Status::kFound) {
-    end(outcomeOf(plan_.answer.status), plan_.answer.reason);
-    return;
+  const RoutePlan plan = hooks_.plan({place, avoided_, unreachable_});
+  if (plan.answer.status != RouteAnswer::Status::kFound) {
+    end(outcomeOf(plan.answer.status), plan.answer.reason);
+  } else if (place == kNoPlace) {
+    goToStart(plan, now);
+  } else {
+    plan_ = plan;
+    at_ = 0;
+    next(now);
   }
-  if (place != kNoPlace) return next(now);
-  // Where the route is one place long this is the whole way.
+}
+
+// Where the route is one place long this is the whole way.
+void GoalRun::goToStart(RoutePlan plan, std::chrono::nanoseconds now) {
+  plan_ = std::move(plan);
+  at_ = 0;
   const Place& first = plan_.best.front();
   take({kNoPlace, first.id, first.label, standAt(first), false}, now);
 }
@@ -76,6 +84,7 @@ void GoalRun::arrived(std::chrono::nanoseconds now) {
   const Leg done = *leg_;
   ++legs_done_;
   leg_.reset();
+  unreachable_.clear();
   if (done.back) return planFrom(done.to, now);
   if (done.from != kNoPlace && done.to != kNoPlace) {
     hooks_.report({done.from, done.to, leg_begun_, now, true, source_});
@@ -90,16 +99,30 @@ void GoalRun::blocked(const std::string& why, std::chrono::nanoseconds now) {
   leg_.reset();
   failed_leg_ = inWords(failed) + ": " + why;
   tried_.push_back(failed_leg_);
-  if (failed.back || failed.from == kNoPlace || failed.to == kNoPlace) {
-    end(Outcome::kBlocked, "the robot does not get on " + failed_leg_ +
-                               ", and no other place is at hand: free the way, or drive it to a "
-                               "place");
-    return;
+  if (failed.to != kNoPlace && (failed.back || failed.from == kNoPlace)) {
+    return beginElsewhere(failed, now);
   }
+  if (failed.to == kNoPlace) return endBlocked();
   hooks_.report({failed.from, failed.to, leg_begun_, now, false, source_});
   avoided_.emplace_back(failed.from, failed.to);
   const Place& begin = plan_.best[at_];
   take({kNoPlace, begin.id, begin.label, standAt(begin), true}, now);
+}
+
+// What bars the way to that place says nothing of its links.
+void GoalRun::beginElsewhere(const Leg& failed, std::chrono::nanoseconds now) {
+  if (elsewhere_++ == kMostElsewhere) return endBlocked();
+  unreachable_.push_back(failed.to);
+  const RoutePlan plan = hooks_.plan({kNoPlace, avoided_, unreachable_});
+  // There may well be a way, from the places that it does not get to.
+  if (plan.answer.status != RouteAnswer::Status::kFound) return endBlocked();
+  goToStart(plan, now);
+}
+
+void GoalRun::endBlocked() {
+  end(Outcome::kBlocked, "the robot does not get on " + failed_leg_ +
+                             ", and no other place is at hand: free the way, or drive it to a "
+                             "place");
 }
 
 void GoalRun::placeRemoved(PlaceId id, std::chrono::nanoseconds now) {

@@ -15,15 +15,21 @@
 namespace place_memory::core {
 
 /// Goes to a place leg by leg (ELDEN, paper 10): plans a route, has each leg driven, and where one
-/// is found blocked tells its link, goes back to where the leg began and plans anew without it. It
-/// drives nothing itself.
+/// is found blocked tells its link, goes back to where the leg began and plans anew without it.
+/// Where it cannot go back either, or does not get to the first place, it begins at another place
+/// about it, three times at the most. It drives nothing itself.
 class GoalRun {
  public:
   using Avoided = std::vector<std::pair<PlaceId, PlaceId>>;
 
+  struct Wish {
+    PlaceId from = kNoPlace;           ///< kNoPlace: from where the robot is
+    Avoided avoided;                   ///< links that were found blocked
+    std::vector<PlaceId> unreachable;  ///< it does not get to these from where it is
+  };
+
   struct Hooks {
-    /// Plans from there; kNoPlace: from where the robot is.
-    std::function<RoutePlan(PlaceId from, const Avoided& avoided)> plan;
+    std::function<RoutePlan(const Wish& wish)> plan;
     std::function<void(const Traversal&)> report;
   };
 
@@ -82,6 +88,9 @@ class GoalRun {
  private:
   /// kNoPlace: from where the robot is, and first of all to the place where the route begins.
   void planFrom(PlaceId place, std::chrono::nanoseconds now);
+  void goToStart(RoutePlan plan, std::chrono::nanoseconds now);
+  void beginElsewhere(const Leg& failed, std::chrono::nanoseconds now);
+  void endBlocked();
   void next(std::chrono::nanoseconds now);
   void take(Leg leg, std::chrono::nanoseconds now);
   std::string inWords(const Leg& leg) const;
@@ -95,6 +104,8 @@ class GoalRun {
   std::optional<Leg> leg_;
   std::chrono::nanoseconds leg_begun_{0};
   Avoided avoided_;
+  std::vector<PlaceId> unreachable_;  // from where it stands since it got there
+  int elsewhere_ = 0;                 // times that it began at another place
   Outcome outcome_ = Outcome::kUnderWay;
   std::string message_;
   std::string failed_leg_;

@@ -113,9 +113,7 @@ void GoServer::begin(const core::RouteEnd& end) {
   map_version_ = context_.memory.version();
   end_ = end;
   core::GoalRun::Hooks hooks;
-  hooks.plan = [this](core::PlaceId from, const core::GoalRun::Avoided& avoided) {
-    return plan(from, avoided);
-  };
+  hooks.plan = [this](const core::GoalRun::Wish& wish) { return plan(wish); };
   hooks.report = [this](const core::Traversal& traversal) { report(traversal); };
   run_.emplace(hooks, end.pose, kSource);
   const RobotFinder::Found found = context_.pilot.finder.find(now);
@@ -129,15 +127,15 @@ void GoServer::begin(const core::RouteEnd& end) {
   finishIfOver();
 }
 
-core::RoutePlan GoServer::plan(core::PlaceId from, const core::GoalRun::Avoided& avoided) const {
+core::RoutePlan GoServer::plan(const core::GoalRun::Wish& wish) const {
   core::RouteQuery query;
   query.goal = end_;
-  query.avoided = avoided;
+  query.avoided = wish.avoided;
   query.second = false;
-  if (from != core::kNoPlace) {
-    query.start = core::RouteEnd{from, "", std::nullopt};
+  if (wish.from != core::kNoPlace) {
+    query.start = core::RouteEnd{wish.from, "", std::nullopt};
   } else if (const auto found = context_.pilot.finder.find(rosNow()); found.fix) {
-    query.starts = context_.pilot.finder.starts(*found.fix);
+    query.starts = context_.pilot.finder.starts(*found.fix, wish.unreachable);
   }
   return context_.memory.plan(query);
 }

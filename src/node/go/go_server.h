@@ -61,7 +61,7 @@ class GoServer {
   void update();
 
   void begin(const core::RouteEnd& end);
-  core::RoutePlan plan(core::PlaceId from, const core::GoalRun::Avoided& avoided) const;
+  core::RoutePlan plan(const core::GoalRun::Wish& wish) const;
   void report(const core::Traversal& traversal);
   /// Whether something else than the drive ends the goal.
   bool watch(std::chrono::nanoseconds now);

@@ -1,5 +1,6 @@
 #include "node/go/robot_finder.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "node/base/ros_time.h"
@@ -66,14 +67,18 @@ RobotFinder::Found RobotFinder::find(std::chrono::nanoseconds now,
   return found;
 }
 
-std::vector<core::RouteStart> RobotFinder::starts(const RobotFix& fix) const {
+std::vector<core::RouteStart> RobotFinder::starts(
+    const RobotFix& fix, const std::vector<core::PlaceId>& unreachable) const {
   std::vector<core::RouteStart> starts;
+  const auto is_barred = [&](core::PlaceId id) {
+    return std::find(unreachable.begin(), unreachable.end(), id) != unreachable.end();
+  };
   const std::optional<core::BeliefSummary> belief = driver_.belief();
   if (belief && driver_.mode() != config::Mode::kOff) {
     for (const core::BelievedPlace& believed : belief->places) {
       const std::optional<core::Place> place = memory_.place(believed.id);
       const bool is_about = place && between(*place, fix.map_from_base) <= kAbout;
-      if (is_about && believed.probability >= kWorthARoute) {
+      if (is_about && believed.probability >= kWorthARoute && !is_barred(believed.id)) {
         starts.push_back({believed.id, believed.probability});
       }
     }
@@ -84,7 +89,7 @@ std::vector<core::RouteStart> RobotFinder::starts(const RobotFix& fix) const {
   for (const core::Place& place : memory_.map().places) {
     const double distance = between(place, fix.map_from_base);
     if (session != core::kNoSession && place.session != session) continue;
-    if (!starts.empty() && distance >= least) continue;
+    if (is_barred(place.id) || (!starts.empty() && distance >= least)) continue;
     starts = {{place.id, 1.0}};
     least = distance;
   }

@@ -40,8 +40,10 @@ class RobotFinder {
   Found find(std::chrono::nanoseconds now,
              const std::optional<core::Pose2d>& instead = std::nullopt) const;
 
-  /// Places about the robot where it may be, by the belief; without one the nearest place.
-  std::vector<core::RouteStart> starts(const RobotFix& fix) const;
+  /// Places about the robot where it may be, by the belief; without one the nearest place. None of
+  /// `unreachable` is among them.
+  std::vector<core::RouteStart> starts(const RobotFix& fix,
+                                       const std::vector<core::PlaceId>& unreachable) const;
 
  private:
   std::optional<core::Pose2d> mapFromOdom(std::string& problem) const;

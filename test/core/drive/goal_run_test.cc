@@ -35,8 +35,8 @@ class GoalRunTest : public testing::Test {
 
   GoalRun run(std::optional<Pose2d> goal = std::nullopt) {
     GoalRun::Hooks hooks;
-    hooks.plan = [this](PlaceId from, const GoalRun::Avoided& avoided) {
-      asked_.emplace_back(from, avoided);
+    hooks.plan = [this](const GoalRun::Wish& wish) {
+      asked_.push_back(wish);
       const RoutePlan plan = plans_.front();
       plans_.erase(plans_.begin());
       return plan;
@@ -46,7 +46,7 @@ class GoalRunTest : public testing::Test {
   }
 
   std::vector<RoutePlan> plans_{planOver({1, 2, 3})};
-  std::vector<std::pair<PlaceId, GoalRun::Avoided>> asked_;
+  std::vector<GoalRun::Wish> asked_;
   std::vector<Traversal> reports_;
 };
 
@@ -93,8 +93,8 @@ TEST_F(GoalRunTest, ABlockedLinkLearnsAndIsNotTriedAgain) {
   EXPECT_EQ(run.leg()->target, (Pose2d{3.0, 0.0, 0.0}));
   run.arrived(seconds(33));
   ASSERT_EQ(asked_.size(), 2U);
-  EXPECT_EQ(asked_[1].first, 2);
-  EXPECT_EQ(asked_[1].second, (GoalRun::Avoided{{2, 3}}));
+  EXPECT_EQ(asked_[1].from, 2);
+  EXPECT_EQ(asked_[1].avoided, (GoalRun::Avoided{{2, 3}}));
   EXPECT_EQ(run.leg()->label, "d");
   run.arrived(seconds(40));
   run.arrived(seconds(50));
@@ -114,14 +114,67 @@ TEST_F(GoalRunTest, WhereNoWayIsLeftItSaysSo) {
   EXPECT_FALSE(run.leg());
 }
 
-TEST_F(GoalRunTest, BlockedBothWaysItStays) {
+TEST_F(GoalRunTest, BlockedBothWaysItBeginsAtAnotherPlace) {
+  plans_.push_back(planOver({4, 3}));
+  plans_.push_back(planOver({2, 3}));
+  GoalRun run = this->run();
+  run.begin({}, seconds(10));
+  run.blocked("closed", seconds(20));
+  EXPECT_TRUE(run.leg()->back);
+  run.blocked("closed as well", seconds(30));
+  ASSERT_TRUE(run.leg());
+  EXPECT_EQ(run.leg()->label, "d");
+  EXPECT_EQ(run.leg()->from, kNoPlace);
+  EXPECT_EQ(asked_[1].from, kNoPlace);
+  EXPECT_EQ(asked_[1].avoided, (GoalRun::Avoided{{1, 2}}));
+  EXPECT_EQ(asked_[1].unreachable, (std::vector<PlaceId>{1}));
+  run.blocked("and there", seconds(40));
+  EXPECT_EQ(asked_[2].unreachable, (std::vector<PlaceId>{1, 4}));
+  EXPECT_EQ(run.leg()->label, "b");
+  run.arrived(seconds(50));
+  run.arrived(seconds(60));
+  EXPECT_EQ(run.outcome(), Outcome::kReached);
+  EXPECT_EQ(run.tried().size(), 3U);
+  EXPECT_EQ(reports_.size(), 2U);  // of links alone
+}
+
+TEST_F(GoalRunTest, WhereItGotToIsReachableAgain) {
+  plans_ = {planOver({1, 2}), planOver({4, 2}), planOver({4})};
+  GoalRun run = this->run();
+  run.begin({1.5, 0.0, 0.0}, seconds(10));
+  run.blocked("closed", seconds(20));
+  run.arrived(seconds(30));
+  run.blocked("closed", seconds(40));
+  run.arrived(seconds(50));
+  ASSERT_EQ(asked_.size(), 3U);
+  EXPECT_EQ(asked_[1].unreachable, (std::vector<PlaceId>{1}));
+  EXPECT_TRUE(asked_[2].unreachable.empty());
+}
+
+// That no way leads from there does not say that none leads to the goal.
+TEST_F(GoalRunTest, WhereNoOtherPlaceIsAtHandItIsBlocked) {
+  plans_.push_back(planOver({}));
   GoalRun run = this->run();
   run.begin({}, seconds(10));
   run.blocked("closed", seconds(20));
   run.blocked("closed as well", seconds(30));
   EXPECT_EQ(run.outcome(), Outcome::kBlocked);
+  EXPECT_NE(run.message().find("back to \"a\": closed as well"), std::string::npos);
   EXPECT_EQ(run.tried().size(), 2U);
   EXPECT_EQ(reports_.size(), 1U);
+}
+
+TEST_F(GoalRunTest, ThreeOtherPlacesAreTriedAndNoMore) {
+  plans_ = {planOver({1, 3}), planOver({2, 3}), planOver({4, 3}), planOver({3})};
+  GoalRun run = this->run();
+  run.begin({1.5, 0.0, 0.0}, seconds(10));
+  for (int i = 0; i < 3; ++i) {
+    run.blocked("closed", seconds(20 + i));
+    EXPECT_FALSE(run.isOver());
+  }
+  run.blocked("closed", seconds(30));
+  EXPECT_EQ(run.outcome(), Outcome::kBlocked);
+  EXPECT_EQ(asked_.size(), 4U);
 }
 
 TEST_F(GoalRunTest, AGoalThatIsAPoseIsDrivenToBeyondTheLastPlace) {

@@ -94,7 +94,7 @@ TEST_F(LegDriverTest, BacksOffBeforeAWallAndSaysThatTheWayIsBlocked) {
   LegDriver driver({}, {9.0, 1.0, 0.0});
   drive(driver, 90.0);
   EXPECT_EQ(driver.state(), State::kBlocked);
-  EXPECT_NE(driver.why().find("in the way"), std::string::npos);
+  EXPECT_NE(driver.why().find("in the way"), std::string::npos) << driver.why();
   EXPECT_LT(pose().x, 5.5);  // it never touched the wall, and has backed off since
   EXPECT_GT(pose().x, 3.0);
 }
@@ -144,6 +144,22 @@ TEST_F(LegDriverTest, GetsPastWhatItTouchesWithItsSide) {
     echoes_.hear(0, now, {0.2, 0.0, 0.0}, 2.0);
   });
   EXPECT_EQ(driver.state(), State::kArrived) << driver.why();
+}
+
+// On whichever side of the middle of its way.
+TEST_F(LegDriverTest, GetsRoundWhatItTouchesAndDoesNotHear) {
+  for (const double y : {1.08, 0.92}) {
+    sim::World posted = hall();
+    posted.posts.push_back({{3.0, y}, 0.02, {}});
+    begin(posted, {2.0, 1.0, 0.0});
+    hears_ = false;
+    LegDriver driver({}, {5.0, 1.0, 0.0});
+    drive(driver, 90.0, [this] {
+      const nanoseconds now(std::llround(1e9 * time_));
+      echoes_.hear(0, now, {0.2, 0.0, 0.0}, 2.0);
+    });
+    EXPECT_EQ(driver.state(), State::kArrived) << y << ": " << driver.why();
+  }
 }
 
 // A base that does not move, as one whose wheels slip.

@@ -13,7 +13,7 @@ TEST(OfficeGoals, AreReachedUnlessNoWayIsLeft) {
   constexpr int kGoals = 100;
   const sim::World office =
       sim::loadWorld(std::string(PLACE_MEMORY_SOURCE_DIR) + "/config/worlds/office.yaml");
-  const GoalCounts counts = driveGoals(office, kGoals, 1);
+  const GoalCounts counts = driveGoals(office, kGoals, 1, 0.0);
   EXPECT_EQ(counts.reached + counts.no_route, kGoals) << counts.messages;
   EXPECT_EQ(counts.false_reached, 0);
   EXPECT_EQ(counts.false_no_route, 0);
