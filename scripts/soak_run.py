@@ -20,6 +20,7 @@ from soak_tools.map_clients import clients
 from soak_tools.node import NAME, Node
 from soak_tools.watch import Watch
 
+SPARED = 0.6  # of each mode's time, after which the node is not killed
 EXTRA_TIME = 120.0  # for a machine so slow that something was not seen yet [s]
 
 
@@ -63,6 +64,7 @@ def run(arguments, node, watch, blind_until):
         if len(modes) > 1 and shares_over > len(arguments.modes) - len(modes) + 1:
             modes.pop(0)
             change_mode(modes[0], node, watch)
+        node.is_spared = shares_over % 1.0 > SPARED
         watch.sample_memory()
         problem = node.check()
         if problem:

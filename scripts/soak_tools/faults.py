@@ -39,8 +39,7 @@ class Faults(threading.Thread):
     def run(self):
         soft = [self.far_ahead, self.ancient, self.without_sense, self.new_frames, self.odd_ranges,
                 self.blind, self.cancel_unknown, self.impossible_goal, self.nowhere, self.mode_storm]
-        hard = [lambda: self._node.fill_disk(3.0), lambda: self._node.pause(1.0),
-                self._node.kill_and_start]
+        hard = [lambda: self._node.fill_disk(3.0), lambda: self._node.pause(1.0), self.kill]
         while not self.is_over:
             time.sleep(self._pace)
             self._count += 1
@@ -49,6 +48,10 @@ class Faults(threading.Thread):
                 fault = hard[self._count // 10 % len(hard)]
             fault()
             self._watch.count("faults")
+
+    def kill(self):
+        if not self._node.is_spared:
+            self._node.kill_and_start()
 
     def _send_tf(self, stamp, child="base_link", **translation):
         message = robot.transform("odom", child, (0.0, 0.0, 0.0), stamp)

@@ -25,6 +25,7 @@ class Node:
         self.starts = []  # as time.monotonic() [s]
         self.disturbed_until = 0.0  # calls may fail, and tf may pause [s]
         self.disk_full_until = 0.0
+        self.is_spared = False  # it is not killed, so that it lives long enough to show what it leaks
         self._lock = threading.Lock()
         self._process = None
         self.begin_with(mode)

@@ -2,7 +2,7 @@
 
 import os
 
-from soak_tools.watch import quantile
+from soak_tools.watch import LONG_LIFE, WARM_UP, quantile
 
 
 def summary(watch):
@@ -26,8 +26,12 @@ def summary(watch):
             len(errors), quantile(errors, 0.5), quantile(errors, 0.99),
             quantile(errors[:half], 0.5), quantile(errors[half:], 0.5)),
     ]
-    for seconds, grown in watch.growths():
+    growths = watch.growths()
+    for seconds, grown in growths:
         lines.append("memory beyond the places learned: %+.2f MB in %.0f s" % (grown / 1e6, seconds))
+    if not growths:
+        lines.append("memory was not compared: no start of the node lived for %.0f s" %
+                     (WARM_UP + LONG_LIFE))
     lines += ["%s: %d" % entry for entry in sorted(watch.counts.items())]
     lines += ["", "%d problems" % len(watch.problems)] + watch.problems[:50]
     return "\n".join(lines) + "\n"

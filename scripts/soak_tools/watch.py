@@ -14,9 +14,10 @@ from soak_tools.node import NAME
 from soak_tools.upheavals import Upheavals
 
 LONGEST_PAUSE = 1.0  # of tf map -> odom, which comes ten times a second [s]
-WARM_UP = 30.0  # after each start, before memory is compared [s]
+WARM_UP = 180.0  # after each start, until the heap has what it needs for so many clients [s]
+LONG_LIFE = 180.0  # after that, for memory to be compared [s]
 BYTES_FOR_A_PLACE = 64 << 10
-BYTES_FOR_NOTHING = 6 << 20  # that the heap may grow for whatever reason
+BYTES_FOR_NOTHING = 3 << 20  # that the heap may grow for whatever reason
 
 
 def quantile(values, share):
@@ -93,14 +94,15 @@ class Watch:
         return [(when, math.hypot(dx - x, dy - y)) for when, dx, dy in offsets]
 
     def growths(self):
-        """Of each life of the node: (seconds, bytes beyond what its new places take)."""
+        """Of each life of the node that was long enough: (seconds, bytes beyond what its new places
+        take)."""
         lives = collections.defaultdict(list)
         for when, life, size, places in self.memory:
             lives[life].append((when, size, places))
         found = []
         for samples in lives.values():
             warm = [sample for sample in samples if sample[0] > samples[0][0] + WARM_UP]
-            if len(warm) < 2:
+            if not warm or warm[-1][0] - warm[0][0] < LONG_LIFE:
                 continue
             most_places = max(sample[2] for sample in warm)
             grown = warm[-1][1] - warm[0][1] - BYTES_FOR_A_PLACE * (most_places - warm[0][2])

@@ -20,14 +20,10 @@ constexpr double kSideRoom = 0.2;    // and so near beside its hull [m]
 constexpr double kSidePush = 0.25;   // [rad/s]
 constexpr double kTouchTime = 1.0;   // told to go for so long, it has not moved [s]
 constexpr double kTouchWay = 0.02;   // further than this [m]
-constexpr double kLetGoWay = 0.2;    // it goes back so far from what it touches [m]
-constexpr double kLetGoTime = 3.0;   // in so much time at most [s]
-constexpr double kAway = 0.8;        // turns away by so much [rad]
-constexpr double kFarAway = 1.4;     // or by so much, where that helped to neither side [rad]
-constexpr double kAwayWay = 0.35;    // and goes so far [m]
-constexpr double kAwayTime = 5.0;    // in so much time at most [s]
-constexpr int kMostSidesteps = 6;    // on one leg
-constexpr int kMostInVain = 4;       // one after the other
+constexpr double kAway = 0.6;        // it turns away by so much [rad]
+constexpr double kAwayWay = 0.3;     // and goes so far [m]
+constexpr double kAwayTime = 3.0;    // in so much time at most [s]
+constexpr int kMostSidesteps = 2;    // on one leg
 
 double seconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double>(time).count();
@@ -95,53 +91,30 @@ bool LegDriver::touches(double now, const Pose2d& base, const Velocity& velocity
   return now - stands_since_ > kTouchTime;
 }
 
-// To the side where there is more room; to the other one where it did not get on that way.
+// To the side where there is more room; the second time to the other one.
 void LegDriver::turnAway(double now, const Pose2d& base, const EchoRing& echoes,
                          std::chrono::nanoseconds stamp) {
-  if (away_ == 0.0) {
-    const double left = echoes.beside(stamp, 1.0, kSideReach);
-    const double right = echoes.beside(stamp, -1.0, kSideReach);
-    away_ = left >= right ? 1.0 : -1.0;
-  }
-  ++sidesteps_;
+  const double left = echoes.beside(stamp, 1.0, kSideReach);
+  const double right = echoes.beside(stamp, -1.0, kSideReach);
+  away_ = away_ != 0.0 ? -away_ : left >= right ? 1.0 : -1.0;
+  // From the way to the target: from its heading the second turn would undo the first.
   const double to_target = std::atan2(target_.y - base.y, target_.x - base.x);
-  const double turn = away_ * (in_vain_ < 2 ? kAway : kFarAway);
-  sidestep_ = Sidestep{base, wrapAngle(to_target + turn), now};
+  sidestep_ = Sidestep{base, wrapAngle(to_target + away_ * kAway), now};
   stands_at_.reset();
-  better_since_ = now;  // a detour
 }
 
-Velocity LegDriver::sidestep(double now, const Pose2d& base, const EchoRing& echoes,
-                             std::chrono::nanoseconds stamp) {
-  if (!sidestep_->is_going) {
-    const double way = std::hypot(base.x - sidestep_->from.x, base.y - sidestep_->from.y);
-    const bool has_room = echoes.behind(stamp, options_.radius) > options_.radius + kLetGoWay;
-    if (has_room && way < kLetGoWay && now - sidestep_->since < kLetGoTime) {
-      return {-0.5 * options_.speed, 0.0};
-    }
-    sidestep_ = Sidestep{base, sidestep_->heading, now, true};
-  }
-  return goAside(now, base, echoes.ahead(stamp, options_.radius) - options_.radius);
-}
-
-Velocity LegDriver::goAside(double now, const Pose2d& base, double gap) {
+Velocity LegDriver::sidestep(double now, const Pose2d& base, double room) {
+  const double way = std::hypot(base.x - sidestep_->from.x, base.y - sidestep_->from.y);
   const double error = wrapAngle(sidestep_->heading - base.yaw);
+  const bool has_turned = std::abs(error) < 0.5 * kTurnFirst;
+  if (way >= kAwayWay || now - sidestep_->since > kAwayTime || (has_turned && room <= 0.0)) {
+    sidestep_.reset();
+    return {};
+  }
   Velocity velocity;
   velocity.turn = std::clamp(kTurnGain * error, -options_.turn_rate, options_.turn_rate);
-  if (std::abs(error) < 0.5 * kTurnFirst) velocity.forward = 0.5 * options_.speed;
-  const double way = std::hypot(base.x - sidestep_->from.x, base.y - sidestep_->from.y);
-  const bool is_barred = velocity.forward > 0.0 && gap <= options_.clearance;
-  if (way >= kAwayWay) {
-    in_vain_ = 0;
-  } else if (is_barred || touches(now, base, velocity) || now - sidestep_->since > kAwayTime) {
-    ++in_vain_;
-    away_ = -away_;
-  } else {
-    return velocity;
-  }
-  sidestep_.reset();
-  stands_at_.reset();
-  return {};
+  if (has_turned) velocity.forward = 0.5 * options_.speed;
+  return velocity;
 }
 
 Velocity LegDriver::update(std::chrono::nanoseconds stamp, const Pose2d& base,
@@ -165,7 +138,7 @@ Velocity LegDriver::update(std::chrono::nanoseconds stamp, const Pose2d& base,
   // What stands beyond the target is not in the way.
   const double ahead = echoes.ahead(stamp, options_.radius);
   const double room = ahead - options_.radius - options_.clearance;
-  if (sidestep_) return sidestep(now, base, echoes, stamp);
+  if (sidestep_) return sidestep(now, base, room);
   const bool is_barred =
       std::abs(error) < kTurnFirst && room <= 0.0 && ahead < distance_ + options_.radius;
   if (!is_barred) {
@@ -173,14 +146,14 @@ Velocity LegDriver::update(std::chrono::nanoseconds stamp, const Pose2d& base,
     state_ = State::kGoing;
     const Velocity velocity = go(error, std::max(room, 0.0), echoes, stamp);
     if (!touches(now, base, velocity)) return velocity;
-    if (sidesteps_ < kMostSidesteps && in_vain_ < kMostInVain) {
+    if (sidesteps_++ < kMostSidesteps) {
       turnAway(now, base, echoes, stamp);
       return {};
     }
     why_ = "the robot does not get nearer: it touches something";
     return backOff(now, base, echoes, stamp);
   }
-  stands_at_.reset();  // of its own will
+  stands_at_.reset();  // it stands of its own will
   if (!yields_since_) yields_since_ = now;
   state_ = State::kYielding;
   if (now - *yields_since_ < options_.patience) return {};

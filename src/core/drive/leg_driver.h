@@ -27,10 +27,9 @@ struct Velocity {
 /// Drives a robot straight to a spot: turns towards it, goes, slows down before what the sonars
 /// hear ahead, waits for it to go, and if it does not backs off and says that the way is blocked.
 /// Where the robot does not move though nothing is heard ahead, it touches something with its side:
-/// it goes back a little, turns away from that, and goes on a little before it heads for the spot
-/// again; where it does not get on that way it tries the other side, and after that turns further.
-/// In the end it backs off too. A feedback controller: it is told again and again where the robot
-/// is, and answers with a velocity.
+/// it turns away from that, and goes on a little before it heads for the spot again; if that does
+/// not help it backs off too. A feedback controller: it is told again and again where the robot is,
+/// and answers with a velocity.
 class LegDriver {
  public:
   enum class State {
@@ -65,18 +64,14 @@ class LegDriver {
   Velocity go(double error, double room, const EchoRing& echoes, std::chrono::nanoseconds stamp);
   bool isStuck(double now, double error);
   bool touches(double now, const Pose2d& base, const Velocity& velocity);
-  struct Sidestep {
-    Pose2d from;
-    double heading = 0.0;   ///< in the frame of the poses [rad]
-    double since = 0.0;     ///< [s]
-    bool is_going = false;  ///< it has gone back
-  };
-
   void turnAway(double now, const Pose2d& base, const EchoRing& echoes,
                 std::chrono::nanoseconds stamp);
-  Velocity sidestep(double now, const Pose2d& base, const EchoRing& echoes,
-                    std::chrono::nanoseconds stamp);
-  Velocity goAside(double now, const Pose2d& base, double gap);
+  Velocity sidestep(double now, const Pose2d& base, double room);
+  struct Sidestep {
+    Pose2d from;
+    double heading = 0.0;  ///< in the frame of the poses [rad]
+    double since = 0.0;    ///< [s]
+  };
 
   LegDriverOptions options_;
   Pose2d target_;
@@ -92,9 +87,8 @@ class LegDriver {
   std::optional<Pose2d> stands_at_;     ///< since it was told to go and did not
   double stands_since_ = 0.0;           ///< [s]
   std::optional<Sidestep> sidestep_;
-  double away_ = 0.0;  ///< side to which it turns: 1 left, -1 right
+  double away_ = 0.0;  ///< side to which it turned the last time: 1 left, -1 right
   int sidesteps_ = 0;
-  int in_vain_ = 0;  ///< newest of them, that did not get on
 };
 
 }  // namespace place_memory::core
