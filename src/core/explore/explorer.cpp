@@ -60,13 +60,13 @@ void Explorer::decide(const SurveyedCells& map, const Moment& now) {
     const FreeSpace space(options_.space, map, now.robot, barred());
     const GridWays ways(space, now.robot, options_.space.wide_berth);
     const std::vector<std::uint8_t> seen = inSight(space, map.trail, options_.sight);
-    losePatience(space, map.trail, now);
+    noteGround(space, map.trail, now);
     if (!returns_) {
       const std::vector<Frontier> frontiers =
           frontiersOf(space, options_.frontiers, looked_at_, seen);
       if (chooseLoop(space, ways, now) || chooseFrontier(space, ways, frontiers, now)) return;
-      if (isWorthATry(map, now) && liftBarriers(kLiftedForMore)) continue;
-      if (squeeze(map, now)) return;
+      if (!returns_ && isWorthATry(map, now) && liftBarriers(kLiftedForMore)) continue;
+      if (!returns_ && squeeze(map, now)) return;
     }
     listLeft(map, space, ways, now);
     if (goHome(space, ways, now) || !liftBarriers(kLiftedForHome)) break;
@@ -74,16 +74,12 @@ void Explorer::decide(const SurveyedCells& map, const Moment& now) {
   if (!task_ && !isOver()) outcome_ = Outcome::kBlocked;
 }
 
-// Not on the way to a frontier: that may be far.
-void Explorer::losePatience(const FreeSpace& space, const std::vector<Pose2d>& trail,
-                            const Moment& now) {
+void Explorer::noteGround(const FreeSpace& space, const std::vector<Pose2d>& trail,
+                          const Moment& now) {
   if (returns_) return;
   const std::vector<std::uint8_t> seen = inSight(space, trail, {kNearby, 0.0});
   const auto cells = std::count(seen.begin(), seen.end(), std::uint8_t{1});
   ground_.note(now.way, static_cast<double>(cells) * space.resolution() * space.resolution());
-  if (task_ || !ground_.isInVain(now.way)) return;
-  gave_up_at_ = now.way;
-  returns_ = true;
 }
 
 void Explorer::take(Aim aim, const FreeSpace& space, const GridWays& ways, FreeSpace::Cell cell) {
@@ -111,6 +107,14 @@ bool Explorer::chooseFrontier(const FreeSpace& space, const GridWays& ways,
   }
   if (!best) {
     if (reachable_ > 0) at_home_ = Outcome::kBoundReached;
+    return false;
+  }
+  // On its way to one that is far it keeps its patience.
+  const bool goes_on = task_ && task_->aim == Aim::kFrontier &&
+                       between(space.centre(best->cell), task_->target) < kSameTarget;
+  if (!goes_on && ground_.isInVain(now.way)) {
+    gave_up_at_ = now.way;
+    returns_ = true;
     return false;
   }
   take(Aim::kFrontier, space, ways, best->cell);

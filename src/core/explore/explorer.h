@@ -114,7 +114,7 @@ class Explorer {
   bool chooseFrontier(const FreeSpace& space, const GridWays& ways,
                       const std::vector<Frontier>& frontiers, const Moment& now);
   bool chooseLoop(const FreeSpace& space, const GridWays& ways, const Moment& now);
-  void losePatience(const FreeSpace& space, const std::vector<Pose2d>& trail, const Moment& now);
+  void noteGround(const FreeSpace& space, const std::vector<Pose2d>& trail, const Moment& now);
   bool squeeze(const SurveyedCells& map, const Moment& now);
   FreeSpaceOptions slim() const;
   bool isWorthATry(const SurveyedCells& map, const Moment& now) const;
