@@ -89,6 +89,22 @@ TEST_F(ExplorerTest, OnTheWayToAFrontierItIsPatient) {
   EXPECT_EQ(explorer.task()->aim, Aim::kFrontier);
 }
 
+// As what opens where a mirrored echo lay is gone once the robot hears the wall.
+TEST_F(ExplorerTest, FromOneOpeningThatIsGoneToTheNextItLosesItsPatience) {
+  std::vector<std::string> without_room = kOpen;
+  without_room[0] = "####...##########";
+  without_room[1] = "#################";
+  for (const double way : {19.0, 21.0}) {
+    Explorer explorer(options_, home_);
+    explorer.decide(open(), at(1.25, 1.0, 0.0));
+    ASSERT_GT(explorer.task()->target.y, 2.5);
+    explorer.decide(floorPlan(without_room, 5), at(2.5, 1.0, way));
+    ASSERT_EQ(explorer.frontiers(), 1U);
+    ASSERT_TRUE(explorer.task());
+    EXPECT_EQ(explorer.task()->aim, way < options_.patience.least ? Aim::kFrontier : Aim::kHome);
+  }
+}
+
 TEST_F(ExplorerTest, WhatLayInSightOfTheWayOpensNothing) {
   SurveyedCells map = open();
   map.trail = {{7.0, 1.0, 0.0}};
