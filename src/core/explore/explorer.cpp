@@ -19,6 +19,7 @@ constexpr double kLoopAge = 20.0;    // a spot is worth a loop that was left so 
 constexpr double kLoopShare = 0.3;   // and that the way there is not longer than this share of it
 constexpr double kLoopPause = 15.0;  // after a loop was sought none is for so much way [m]
 constexpr double kNearby = 1.5;      // what is so near to its way the robot has been at [m]
+constexpr double kCloser = 1.0;      // a wall tells more to who is nearer than that [m]
 constexpr double kReach = 0.3;       // a spot is reached by a cell so near [m]
 
 double between(const Pose2d& one, const Pose2d& other) {
@@ -67,6 +68,7 @@ void Explorer::decide(const SurveyedCells& map, const Moment& now) {
       if (chooseLoop(space, ways, now) || chooseFrontier(space, ways, frontiers, now)) return;
       if (!returns_ && isWorthATry(map, now) && liftBarriers(kLiftedForMore)) continue;
       if (!returns_ && squeeze(map, now)) return;
+      if (!returns_ && lookCloser(map, space, ways, now)) return;
     }
     listLeft(map, space, ways, now);
     if (goHome(space, ways, now) || !liftBarriers(kLiftedForHome)) break;
@@ -84,6 +86,7 @@ void Explorer::noteGround(const FreeSpace& space, const std::vector<Pose2d>& tra
 
 void Explorer::take(Aim aim, const FreeSpace& space, const GridWays& ways, FreeSpace::Cell cell) {
   stood_at_home_ = false;
+  looks_closer_ = false;
   task_ = Task{aim, space.centre(cell), ways.wayTo(cell), ways.length(cell)};
 }
 
@@ -128,6 +131,32 @@ bool Explorer::squeeze(const SurveyedCells& map, const Moment& now) {
   const std::vector<Frontier> frontiers =
       frontiersOf(space, options_.frontiers, looked_at_, inSight(space, map.trail, options_.sight));
   return chooseFrontier(space, ways, frontiers, now);
+}
+
+// A doorway that looks walled up from the middle of a room may not from near by.
+bool Explorer::lookCloser(const SurveyedCells& map, const FreeSpace& space, const GridWays& ways,
+                          const Moment& now) {
+  const bool is_new = !task_ || !looks_closer_;
+  if (is_new && closer_looks_ >= options_.closer_looks) return false;
+  if (ground_.isInVain(now.way)) return false;
+  const std::vector<std::uint8_t> near = inSight(space, map.trail, {kCloser, 0.0});
+  std::optional<FreeSpace::Cell> best;
+  for (FreeSpace::Cell cell = 0; cell < space.size(); ++cell) {
+    if (near[cell] != 0 || !space.isPassable(cell) || !ways.reaches(cell)) continue;
+    if (best && ways.length(cell) >= ways.length(*best)) continue;
+    if (!isLookedAt(space.centre(cell))) best = cell;
+  }
+  if (!best) return false;
+  if (is_new) ++closer_looks_;
+  take(Aim::kFrontier, space, ways, *best);
+  looks_closer_ = true;
+  return true;
+}
+
+bool Explorer::isLookedAt(const Pose2d& spot) const {
+  return std::any_of(looked_at_.begin(), looked_at_.end(), [&](const MapDisc& disc) {
+    return between(spot, {disc.x, disc.y, 0.0}) < disc.radius;
+  });
 }
 
 FreeSpaceOptions Explorer::slim() const {

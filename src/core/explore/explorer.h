@@ -33,6 +33,8 @@ struct ExplorerOptions {
   double barrier = 0.3;        ///< radius of what bars the way [m]
   /// Where nothing else is left, it tries what looks as narrow as this share of `space.radius`.
   double squeeze = 0.5;
+  /// Before it is done it goes to so many spots at the most that lie further from its way than 1 m.
+  int closer_looks = 8;
   double worth_a_try = 1.5;  ///< what bars the way to less than this is not tried again [m^2]
 };
 
@@ -116,6 +118,9 @@ class Explorer {
   bool chooseLoop(const FreeSpace& space, const GridWays& ways, const Moment& now);
   void noteGround(const FreeSpace& space, const std::vector<Pose2d>& trail, const Moment& now);
   bool squeeze(const SurveyedCells& map, const Moment& now);
+  bool lookCloser(const SurveyedCells& map, const FreeSpace& space, const GridWays& ways,
+                  const Moment& now);
+  bool isLookedAt(const Pose2d& spot) const;
   FreeSpaceOptions slim() const;
   bool isWorthATry(const SurveyedCells& map, const Moment& now) const;
   bool liftBarriers(int most);
@@ -139,6 +144,8 @@ class Explorer {
   std::optional<Pose2d> looks_;  ///< from where it looks now
   std::vector<Barrier> barriers_;
   std::vector<SureSpot> sure_;
+  bool looks_closer_ = false;  ///< what its task is for
+  int closer_looks_ = 0;       ///< spots to which it went for that
   NewGround ground_;
   std::optional<double> gave_up_at_;  ///< way [m]
   double no_loop_before_ = 0.0;       ///< way [m]

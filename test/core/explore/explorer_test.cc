@@ -30,6 +30,8 @@ Explorer::Moment at(double x, double y, double way, double doubt = 0.1) {
 
 class ExplorerTest : public testing::Test {
  protected:
+  ExplorerTest() { options_.closer_looks = 0; }
+
   static SurveyedCells open() { return floorPlan(kOpen, 5); }
   static SurveyedCells closed() { return floorPlan(kClosed, 5); }
 
@@ -139,6 +141,23 @@ TEST_F(ExplorerTest, WhereNothingElseIsLeftItTriesWhatLooksNarrow) {
   Explorer timid(options_, home);
   timid.decide(map, at(0.8, 0.9, 0.0));
   EXPECT_EQ(timid.outcome(), Outcome::kDone);
+}
+
+TEST_F(ExplorerTest, BeforeItIsDoneItLooksWhereItWasNotNear) {
+  options_.closer_looks = 1;
+  SurveyedCells map = closed();
+  for (double x = 1.0; x < 7.5; x += 0.5) map.trail.push_back({x, 1.0, 0.0});
+  Explorer explorer(options_, home_);
+  explorer.decide(map, at(7.0, 1.0, 6.0));
+  ASSERT_TRUE(explorer.task());
+  EXPECT_EQ(explorer.task()->aim, Aim::kFrontier);
+  EXPECT_GT(explorer.task()->target.y, 1.9);  // in the room
+  const Pose2d there = explorer.task()->target;
+  explorer.arrived(at(there.x, there.y, 11.0));
+  map.trail.push_back(there);
+  explorer.decide(map, at(there.x, there.y, 11.0));
+  EXPECT_EQ(explorer.task()->aim, Aim::kHome);
+  EXPECT_TRUE(explorer.left().empty());
 }
 
 TEST_F(ExplorerTest, GoesHomeWhenNothingIsLeftAndSaysSo) {
