@@ -139,11 +139,13 @@ bool Explorer::lookCloser(const SurveyedCells& map, const FreeSpace& space, cons
   const bool is_new = !task_ || !looks_closer_;
   if (is_new && closer_looks_ >= options_.closer_looks) return false;
   if (ground_.isInVain(now.way)) return false;
+  const double most = options_.most_distance > 0.0 ? options_.most_distance - now.way
+                                                   : std::numeric_limits<double>::infinity();
   const std::vector<std::uint8_t> near = inSight(space, map.trail, {kCloser, 0.0});
   std::optional<FreeSpace::Cell> best;
   for (FreeSpace::Cell cell = 0; cell < space.size(); ++cell) {
     if (near[cell] != 0 || !space.isPassable(cell) || !ways.reaches(cell)) continue;
-    if (best && ways.length(cell) >= ways.length(*best)) continue;
+    if (ways.length(cell) > most || (best && ways.length(cell) >= ways.length(*best))) continue;
     if (!isLookedAt(space.centre(cell))) best = cell;
   }
   if (!best) return false;

@@ -33,7 +33,7 @@ struct ExplorerOptions {
   double barrier = 0.3;        ///< radius of what bars the way [m]
   /// Where nothing else is left, it tries what looks as narrow as this share of `space.radius`.
   double squeeze = 0.5;
-  /// Before it is done it goes to so many spots at the most that lie further from its way than 1 m.
+  /// Before it is done it sets out so often at the most to look at what was never nearer than 1 m.
   int closer_looks = 8;
   double worth_a_try = 1.5;  ///< what bars the way to less than this is not tried again [m^2]
 };
@@ -145,7 +145,7 @@ class Explorer {
   std::vector<Barrier> barriers_;
   std::vector<SureSpot> sure_;
   bool looks_closer_ = false;  ///< what its task is for
-  int closer_looks_ = 0;       ///< spots to which it went for that
+  int closer_looks_ = 0;       ///< times that it set out for that
   NewGround ground_;
   std::optional<double> gave_up_at_;  ///< way [m]
   double no_loop_before_ = 0.0;       ///< way [m]

@@ -160,6 +160,17 @@ TEST_F(ExplorerTest, BeforeItIsDoneItLooksWhereItWasNotNear) {
   EXPECT_TRUE(explorer.left().empty());
 }
 
+TEST_F(ExplorerTest, ItLooksNoCloserThanItMayDrive) {
+  options_.closer_looks = 1;
+  options_.most_distance = 8.0;
+  SurveyedCells map = closed();
+  for (double x = 1.0; x < 7.5; x += 0.5) map.trail.push_back({x, 1.0, 0.0});
+  Explorer explorer(options_, home_);
+  explorer.decide(map, at(7.0, 1.0, 6.0));
+  ASSERT_TRUE(explorer.task());
+  EXPECT_EQ(explorer.task()->aim, Aim::kHome);
+}
+
 TEST_F(ExplorerTest, GoesHomeWhenNothingIsLeftAndSaysSo) {
   Explorer explorer(options_, home_);
   explorer.decide(closed(), at(6.0, 1.0, 10.0));
