@@ -110,11 +110,13 @@ class Watch:
         return found
 
     def has_seen_all(self):
-        return bool(self.pauses and self._offsets and self.counts["looked whether all is there"])
+        return bool(self._last_transform and self._offsets and self.counts["looked whether all is there"])
 
     def judge(self, is_lenient):
         """Adds to the problems what shows in the whole run alone; to be lenient: but how fast the
-        machine is, how memory grows, and whether tf was seen between two faults."""
+        machine is, and how memory grows."""
+        if self._last_transform is None:
+            self.fail("map -> odom was never on tf")
         if not self._offsets:
             self.fail("the robot was never localized")
         if not self.counts["looked whether all is there"]:
@@ -122,7 +124,7 @@ class Watch:
         if is_lenient:
             return
         if not self.pauses:
-            self.fail("map -> odom was never on tf")
+            self.fail("map -> odom was never twice on tf between two faults")
         for seconds, grown in self.growths():
             if grown > BYTES_FOR_NOTHING:
                 self.fail("in %.0f s memory grew by %.1f MB beyond its places" %
